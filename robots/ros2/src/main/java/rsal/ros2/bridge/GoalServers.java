@@ -13,6 +13,7 @@ import rsal.robot.Robot;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.action.Services;
 import rsal.ros2.link.RosLink;
+import rsal.ros2.simulation.PublishedTime;
 
 /// Kinds of devices that take goals of others if a robot has them.
 final class GoalServers {

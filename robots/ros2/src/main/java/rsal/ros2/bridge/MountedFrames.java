@@ -10,6 +10,7 @@ import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.RosMessages.Transform;
+import rsal.ros2.simulation.PublishedTime;
 
 /// Where sensors are on their robots (`tf_static`). All of them are published when one is new, as those who come late
 /// get the last message only. Those that an actuator moves are published as transforms that move (`tf`).

@@ -19,6 +19,7 @@ import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink;
 import rsal.ros2.message.StampedPose;
+import rsal.ros2.simulation.PublishedTime;
 
 /// Docking of ours as Nav2's actions `dock_robot` and `undock_robot`. A new goal takes the place of the one before,
 /// which is aborted.

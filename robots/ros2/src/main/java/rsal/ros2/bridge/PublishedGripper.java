@@ -17,6 +17,7 @@ import rsal.ros2.action.Services;
 import rsal.ros2.cdr.CdrWriter;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosLink;
+import rsal.ros2.simulation.PublishedTime;
 
 /// Paddles or a lift of a gripper of ours as an action of type `control_msgs/GripperCommand`. It knows two places, so a
 /// position stands for the nearer one: 0 is closed or down, the greatest one is open or up [m]. A new goal takes the

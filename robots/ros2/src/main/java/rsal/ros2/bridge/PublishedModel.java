@@ -21,6 +21,7 @@ import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.RosMessages.Transform;
+import rsal.ros2.simulation.PublishedTime;
 import rsal.ros2.urdf.UrdfWriter;
 
 /// What a robot is like: its description (URDF), and where its joints are, if it has any.

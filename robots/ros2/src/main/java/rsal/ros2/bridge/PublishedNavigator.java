@@ -23,6 +23,7 @@ import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.PlanningError;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.StampedPose;
+import rsal.ros2.simulation.PublishedTime;
 
 /// A navigator of ours as Nav2's action `navigate_to_pose`, as it is in Jazzy and Kilted. A new goal takes
 /// the place of the one before, which is aborted, as Nav2 does it.

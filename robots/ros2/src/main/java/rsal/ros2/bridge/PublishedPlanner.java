@@ -27,6 +27,7 @@ import rsal.ros2.link.RosLink;
 import rsal.ros2.message.PathMessage;
 import rsal.ros2.message.PlanningError;
 import rsal.ros2.message.StampedPose;
+import rsal.ros2.simulation.PublishedTime;
 
 /// Planners of a robot of ours as Nav2's action `compute_path_to_pose`, as all distributions have it. `planner_id`
 /// names the planner; without one, or with the name that Nav2's own configuration has, it is the first. Goals do not

@@ -24,6 +24,7 @@ import rsal.ros2.link.RosNetwork;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
+import rsal.ros2.simulation.PublishedTime;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.system.CommandTimeout;

@@ -25,6 +25,7 @@ import rsal.ros2.link.RosLink;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.StampedPose;
+import rsal.ros2.simulation.PublishedTime;
 
 /// A navigator of ours as Nav2's action `navigate_through_poses`, one pose after another; near a pose that is not the
 /// last it goes on to the next one without a stop. Goals are those of all distributions. Feedback and results are

@@ -9,6 +9,7 @@ import rsal.ros2.link.RosLink;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
+import rsal.ros2.simulation.TruthTracker;
 import rsal.ros2.urdf.UrdfWriter;
 import rsal.time.Phase;
 import rsal.time.Scheduler;

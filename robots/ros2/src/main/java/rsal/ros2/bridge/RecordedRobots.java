@@ -13,6 +13,7 @@ import rsal.ros2.link.RosNetwork;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.RosMessages;
+import rsal.ros2.simulation.PublishedTime;
 import rsal.system.Bridge;
 import rsal.system.BridgeContext;
 import rsal.system.ExportedDevice;

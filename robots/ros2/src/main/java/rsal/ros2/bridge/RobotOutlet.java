@@ -16,6 +16,7 @@ import rsal.ros2.link.RosPublisher;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.link.RosTopic;
 import rsal.ros2.message.FrameTransform;
+import rsal.ros2.simulation.PublishedTime;
 import rsal.ros2.urdf.UrdfWriter;
 
 /// Where a robot's readings are published: its namespace on a network, or in a recording.

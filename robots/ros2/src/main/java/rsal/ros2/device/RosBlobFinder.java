@@ -13,6 +13,7 @@ import rsal.device.BlobFinder;
 import rsal.device.DeviceInfo;
 import rsal.robot.RobotModel.Part;
 import rsal.ros2.cdr.RosMessage;
+import rsal.ros2.image.CameraMount;
 import rsal.ros2.message.FrameTransform;
 import rsal.ros2.message.RosMessages;
 

@@ -15,6 +15,7 @@ import rsal.ros2.cdr.MessageCodec;
 import rsal.ros2.cdr.RosMessage;
 import rsal.ros2.link.RosPublisher.Publication;
 import rsal.ros2.message.FrameTransform;
+import rsal.ros2.simulation.PublishedTime;
 import rsal.ros2.type.Distribution;
 import rsal.ros2.type.TypeLibrary;
 import rsal.time.LockstepScheduler;

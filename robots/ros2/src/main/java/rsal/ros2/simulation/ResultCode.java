@@ -1,4 +1,4 @@
-package rsal.ros2.bridge;
+package rsal.ros2.simulation;
 
 import rsal.device.SimulationControl.Placement;
 import rsal.ros2.cdr.CdrWriter;

@@ -1,4 +1,4 @@
-package rsal.ros2.bridge;
+package rsal.ros2.simulation;
 
 import static java.util.concurrent.CompletableFuture.completedStage;
 

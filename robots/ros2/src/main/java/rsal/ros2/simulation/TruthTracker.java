@@ -1,4 +1,4 @@
-package rsal.ros2.bridge;
+package rsal.ros2.simulation;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -18,7 +18,7 @@ import rsal.time.Scheduler;
 import rsal.time.Task;
 
 /// Where entities of a simulated world are, and how fast they move: by how far they have come of late.
-final class TruthTracker {
+public final class TruthTracker {
     private static final Duration PERIOD = Duration.ofMillis(50);
     private static final int LOOKS = 5; // over 0.2 s, as worlds may move on by 0.1 s at a time
     private static final double JUMP = 20; // m/s, from which on something did not move there but was put there
@@ -30,7 +30,7 @@ final class TruthTracker {
 
     private record Look(Instant time, Pose2d pose) {}
 
-    TruthTracker(SimulationControl world, Scheduler scheduler) {
+    public TruthTracker(SimulationControl world, Scheduler scheduler) {
         this.world = world;
         this.scheduler = scheduler;
         looking = scheduler.every(PERIOD, Phase.OBSERVE, this::look);
@@ -56,12 +56,12 @@ final class TruthTracker {
     }
 
     /// Where something is now, in the map frame; empty when there is no such thing.
-    Optional<Pose2d> pose(String entity) {
+    public Optional<Pose2d> pose(String entity) {
         return world.truth(entity);
     }
 
     /// How fast it moves, in the axes of the map [m/s, rad/s]; at rest where that is not known.
-    Twist2d velocity(String entity) {
+    public Twist2d velocity(String entity) {
         Deque<Look> looks = seen.get(entity);
         if (looks == null || looks.size() < LOOKS) {
             return Twist2d.STOP;
@@ -82,11 +82,11 @@ final class TruthTracker {
     }
 
     /// Somebody put it elsewhere, where it is at rest.
-    void moved(String entity) {
+    public void moved(String entity) {
         seen.remove(entity);
     }
 
-    void close() {
+    public void close() {
         looking.cancel();
     }
 }

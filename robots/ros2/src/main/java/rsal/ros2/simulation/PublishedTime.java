@@ -1,4 +1,4 @@
-package rsal.ros2.bridge;
+package rsal.ros2.simulation;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -11,16 +11,16 @@ import rsal.time.Task;
 
 /// A run's scheduler with the time that programs of ROS see. That is the run's, until a program resets it: then it
 /// begins again at 0, while the run's own goes on. Of the run's thread.
-final class PublishedTime implements ActionTime {
+public final class PublishedTime implements ActionTime {
     private final Scheduler run;
     private Duration behind = Duration.ZERO; // the run's time
 
-    PublishedTime(Scheduler run) {
+    public PublishedTime(Scheduler run) {
         this.run = run;
     }
 
     /// It is 0 now.
-    void restart() {
+    public void restart() {
         behind = Duration.between(Instant.EPOCH, run.instant());
     }
 

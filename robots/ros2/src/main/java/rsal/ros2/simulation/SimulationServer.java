@@ -1,4 +1,4 @@
-package rsal.ros2.bridge;
+package rsal.ros2.simulation;
 
 import java.util.Optional;
 import java.util.function.Function;
@@ -13,8 +13,8 @@ import rsal.system.RunControl;
 
 /// The services of the package `simulation_interfaces`, by which tools of ROS 2 control a simulator,
 /// whichever it is. They are answered also while the run is paused.
-final class SimulationServer {
-    private static final String PREFIX = "/" + Ros2Bridge.NODE + "/";
+public final class SimulationServer {
+    private static final String PREFIX = "/rsal/"; // the node of the bridge
 
     private final Services services;
     private final ActionServer steps;
@@ -23,7 +23,7 @@ final class SimulationServer {
     /// @param restart lets the time of ROS begin again
     /// @param halt ends what programs have commanded
     /// @param link of the node `/rsal`
-    SimulationServer(
+    public SimulationServer(
             SimulationControl world,
             RunControl control,
             TruthTracker truth,
@@ -46,7 +46,7 @@ final class SimulationServer {
                 run);
     }
 
-    void close() {
+    public void close() {
         steps.close();
         services.close();
     }

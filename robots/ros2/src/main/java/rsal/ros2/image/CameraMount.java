@@ -1,4 +1,4 @@
-package rsal.ros2.device;
+package rsal.ros2.image;
 
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -8,7 +8,7 @@ import rsal.ros2.message.FrameTransform;
 /// ahead (REP 103).
 ///
 /// @param baseFromFrame of its messages
-record CameraMount(FrameTransform baseFromFrame) {
+public record CameraMount(FrameTransform baseFromFrame) {
     private static final double LEVEL = 0.7; // of the z axis, upwards: less than 45° above the floor
 
     private boolean isOptical() {
@@ -16,7 +16,7 @@ record CameraMount(FrameTransform baseFromFrame) {
     }
 
     /// Seen from above, looking along the x axis.
-    Pose2d baseFromCamera() {
+    public Pose2d baseFromCamera() {
         if (!isOptical()) {
             return baseFromFrame.planar();
         }
@@ -29,7 +29,7 @@ record CameraMount(FrameTransform baseFromFrame) {
     /// @param x in the frame of its messages [m]
     /// @param y in the frame of its messages [m]
     /// @param z in the frame of its messages [m]
-    Point2d baseFromPoint(double x, double y, double z) {
+    public Point2d baseFromPoint(double x, double y, double z) {
         double[] moved = baseFromFrame.rotation().rotated(x, y, z);
         return new Point2d(baseFromFrame.x() + moved[0], baseFromFrame.y() + moved[1]);
     }
@@ -37,7 +37,7 @@ record CameraMount(FrameTransform baseFromFrame) {
     /// A mount that only the model tells.
     ///
     /// @param frame of its messages, whose name tells whether it is optical
-    static CameraMount of(Pose2d baseFromCamera, String frame) {
+    public static CameraMount of(Pose2d baseFromCamera, String frame) {
         FrameTransform pose = FrameTransform.of(baseFromCamera);
         return new CameraMount(frame.endsWith("optical_frame") ? pose.compose(FrameTransform.OPTICAL) : pose);
     }
