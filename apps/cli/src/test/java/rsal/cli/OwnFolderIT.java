@@ -57,8 +57,9 @@ class OwnFolderIT {
             assertThat(ask(client, "robot-1 NaN 0")).startsWith("error: Write ROBOT FORWARD TURN");
             double begin = x(ask(client, "robot-1 0.3 0"));
             double there = begin;
-            for (int line = 0; line < 100 && there < begin + 0.2; line++) {
-                there = x(ask(client, "robot-1 0.3 0")); // answers come ten times a second
+            for (int line = 0; line < 10_000 && there < begin + 0.2; line++) {
+                // up to a hundred lines are answered in a step of 0.1 s
+                there = x(ask(client, "robot-1 0.3 0"));
             }
             assertThat(there).isGreaterThan(begin + 0.2);
         } finally {
