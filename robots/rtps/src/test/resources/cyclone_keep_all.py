@@ -1,7 +1,8 @@
 """Writes texts and reads those of RSAL, keeping all, by Cyclone DDS on the loopback network.
 
-Arguments: domain, how many texts, a file. It reads once that file exists, and then slowly: while its reader is full,
-Cyclone DDS receives nothing on other topics either. Prints what it read.
+Arguments: domain, how many texts, a file. It makes FILE.before when all of its texts are acknowledged. It reads once FILE
+exists, and then slowly: while its reader is full, Cyclone DDS receives nothing on other topics either. Prints what it
+read.
 """
 import os
 import sys
@@ -53,6 +54,7 @@ while not texts.get_matched_subscriptions() and time.monotonic() < end:
 for number in range(count):
     texts.write(Text(f'peer {number}'))
 texts.wait_for_acks(duration(seconds=60))
+open(go + '.before', 'w').close()  # from now on its reader may be full: no acknowledgment is awaited any more
 
 while not os.path.exists(go) and time.monotonic() < end:
     time.sleep(0.01)

@@ -122,6 +122,9 @@ class CycloneIT {
                     .isEqualTo(
                             IntStream.range(0, MANY).mapToObj(i -> "peer " + i).toList());
 
+            while (!Files.exists(folder.resolve("go.before")) && !peer.isDone()) {
+                Thread.sleep(10); // it receives no acknowledgments while its reader is full
+            }
             int written = 0;
             while (written < MANY && participant.write(writer, 0, payload("rsal " + written))) {
                 written++;
