@@ -3,7 +3,6 @@ package rsal.engine;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import rsal.engine.event.EventLog;
 import rsal.robot.Robot;
@@ -30,14 +29,22 @@ final class RunBridges implements AutoCloseable {
 
     /// How such programs hold the run back: the strictest.
     Bridge.Pace pace() {
-        return bridges.stream().map(Bridge::pace).max(Comparator.naturalOrder()).orElse(Bridge.Pace.FREE);
+        Bridge.Pace strictest = Bridge.Pace.FREE;
+        for (Bridge bridge : bridges) { // for each part of a step
+            Bridge.Pace pace = bridge.pace();
+            strictest = pace.compareTo(strictest) > 0 ? pace : strictest;
+        }
+        return strictest;
     }
 
     /// For how long time may go on at once, where it goes on for a while.
     Duration grain(Duration whole) {
-        return bridges.stream()
-                .flatMap(bridge -> bridge.grain().stream())
-                .reduce(whole, (one, other) -> one.compareTo(other) < 0 ? one : other);
+        Duration least = whole;
+        for (Bridge bridge : bridges) {
+            Duration grain = bridge.grain().orElse(whole);
+            least = grain.compareTo(least) < 0 ? grain : least;
+        }
+        return least;
     }
 
     void join(Robot robot) {

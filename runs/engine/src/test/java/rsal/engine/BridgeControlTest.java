@@ -23,12 +23,10 @@ import rsal.device.GoalHandle;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Placement;
 import rsal.engine.report.RunEvent;
-import rsal.robot.Robot;
 import rsal.scenario.RunOptions;
 import rsal.system.Bridge;
 import rsal.system.BridgeContext;
 import rsal.system.BridgeProvider;
-import rsal.system.ExportedDevice;
 import rsal.system.RunControl;
 import rsal.system.RunControl.Spawnable;
 import rsal.time.Scheduler;
@@ -48,7 +46,7 @@ class BridgeControlTest {
     private SimulationControl world;
 
     /// Keeps what it may offer.
-    private final class Kept implements BridgeProvider, Bridge {
+    private final class Kept extends IdleBridge implements BridgeProvider {
         @Override
         public String key() {
             return "kept";
@@ -69,22 +67,6 @@ class BridgeControlTest {
             opened.complete(context);
             return this;
         }
-
-        @Override
-        public List<ExportedDevice> offers() {
-            return List.of();
-        }
-
-        @Override
-        public List<ExportedDevice> join(Robot robot) {
-            return List.of();
-        }
-
-        @Override
-        public void leave(String robot) {}
-
-        @Override
-        public void close() {}
     }
 
     @BeforeEach

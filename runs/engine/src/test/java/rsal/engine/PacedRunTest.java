@@ -6,7 +6,6 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -16,12 +15,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import rsal.robot.Robot;
 import rsal.scenario.RunOptions;
 import rsal.system.Bridge;
 import rsal.system.BridgeContext;
 import rsal.system.BridgeProvider;
-import rsal.system.ExportedDevice;
 import rsal.system.RunControl;
 import rsal.time.Scheduler;
 
@@ -43,7 +40,7 @@ class PacedRunTest {
     private RunControl control;
 
     /// Lets the run go on until some time.
-    private final class Following implements BridgeProvider, Bridge {
+    private final class Following extends IdleBridge implements BridgeProvider {
         private Scheduler scheduler;
         private long begun;
 
@@ -84,22 +81,6 @@ class PacedRunTest {
             boolean mayGoOn = now < allowed;
             return mayGoOn ? Pace.FOLLOWED : pace.get();
         }
-
-        @Override
-        public List<ExportedDevice> offers() {
-            return List.of();
-        }
-
-        @Override
-        public List<ExportedDevice> join(Robot robot) {
-            return List.of();
-        }
-
-        @Override
-        public void leave(String robot) {}
-
-        @Override
-        public void close() {}
     }
 
     @BeforeEach

@@ -15,7 +15,6 @@ import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.system.Bridge;
 import rsal.system.BridgeContext;
-import rsal.system.ExportedDevice;
 import rsal.system.RobotRecorder;
 import rsal.time.Scheduler;
 
@@ -24,7 +23,7 @@ class RecordedRobotsTest {
     @TempDir
     private Path folder;
 
-    private static final class Notes implements RobotRecorder, Bridge {
+    private static final class Notes extends IdleBridge implements RobotRecorder {
         private final List<String> notes = new ArrayList<>(); // on the run's thread, and read after its end
 
         @Override
@@ -39,16 +38,6 @@ class RecordedRobotsTest {
         @Override
         public Optional<IOException> failure() {
             return Optional.empty();
-        }
-
-        @Override
-        public List<ExportedDevice> offers() {
-            return List.of();
-        }
-
-        @Override
-        public List<ExportedDevice> join(Robot robot) {
-            return List.of();
         }
 
         @Override

@@ -125,7 +125,8 @@ final class Evasion {
                         } else {
                             var stays = new Path2d(List.of(mapFromPrey.position()));
                             choose(
-                                    new Candidate(stays, List.of(mapFromPrey), 0),
+                                    stays,
+                                    theirs[0],
                                     candidates,
                                     mapFromHunters,
                                     mapFromAim,
@@ -143,20 +144,21 @@ final class Evasion {
 
     /// The path on which hunters stop it last.
     ///
-    /// @param stays what it does if no path is better
+    /// @param stays its path if no other one is better
+    /// @param ifItStays when hunters stop it then [m of its path]
     private void choose(
-            Candidate stays,
+            Path2d stays,
+            double ifItStays,
             List<Candidate> candidates,
             Collection<Pose2d> mapFromHunters,
             Optional<Pose2d> mapFromAim,
             Consumer<Path2d> reported) {
-        List<Pose2d> steps = Stream.concat(Stream.of(stays), candidates.stream())
-                .flatMap(each -> each.steps.stream())
-                .toList();
+        List<Pose2d> steps =
+                candidates.stream().flatMap(each -> each.steps.stream()).toList();
         arrivals(mapFromHunters, steps, theirs -> {
-            Path2d best = stays.path;
-            double longest = theirs[0];
-            int from = 1;
+            Path2d best = stays;
+            double longest = ifItStays;
+            int from = 0;
             for (Candidate candidate : candidates) {
                 int until = from + candidate.steps.size();
                 double end = candidate.end(Arrays.copyOfRange(theirs, from, until));

@@ -41,7 +41,7 @@ public final class RecordedPast implements Past {
     private final List<String> robots;
     private final CompletableFuture<RunResult> result;
     private final FrameEncoder encoder = new FrameEncoder();
-    private final Map<Integer, Standing> reported = new HashMap<>(); // things as viewers are told of them
+    private final Map<Integer, Standing> reported = new HashMap<>(); // things as viewers know them
     private Map<Integer, ThingInfo> infos = Map.of(); // of those that are there
     private ObjectRegistry roster = new ObjectRegistry(RUN, Map.of(), 0);
 

@@ -35,14 +35,14 @@ class TerrainTest {
                 if (random.nextInt(4) > 0) {
                     Wavefront wavefront = terrain.wavefront(clearance);
                     handedOn += wavefront.kept();
-                    var anew = new Wavefront(CostMap.of(map, toNotFree, clearance));
+                    var fresh = new Wavefront(CostMap.of(map, toNotFree, clearance));
                     assertThat(wavefront.map().grid()).as(what).isSameAs(map);
                     assertThat(wavefront.map().shown().cells())
                             .as(what)
-                            .isEqualTo(anew.map().shown().cells());
+                            .isEqualTo(fresh.map().shown().cells());
                     var start = new Point2d(random.nextDouble(0, 8), random.nextDouble(3, 9));
                     var goal = new Point2d(4, 6);
-                    assertThat(wavefront.plan(start, goal, 1)).as(what).isEqualTo(anew.plan(start, goal, 1));
+                    assertThat(wavefront.plan(start, goal, 1)).as(what).isEqualTo(fresh.plan(start, goal, 1));
                 }
             }
         }

@@ -199,7 +199,7 @@ class IncrementalRepairTest {
         assertThat(wavefront.kept()).as("asked for two maps ago").isEqualTo(1);
         wavefront.plan(start, goal, 0);
         wavefront = wavefront.over(same).over(map);
-        assertThat(wavefront.kept()).as("likewise, after being mended").isEqualTo(1);
+        assertThat(wavefront.kept()).as("the same after being mended").isEqualTo(1);
         assertThat(wavefront.over(same).kept()).isZero();
     }
 

@@ -121,6 +121,7 @@ final class Ros2Bridge implements Bridge {
         truth = context.simulation().map(world -> new TruthTracker(world, scheduler));
         simulation = truth.flatMap(tracked -> context.control()
                 .map(control -> new SimulationServer(
+                        "/" + NODE,
                         context.simulation().orElseThrow(),
                         control,
                         tracked,

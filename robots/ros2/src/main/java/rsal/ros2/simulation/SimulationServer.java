@@ -14,16 +14,16 @@ import rsal.system.RunControl;
 /// The services of the package `simulation_interfaces`, by which tools of ROS 2 control a simulator,
 /// whichever it is. They are answered also while the run is paused.
 public final class SimulationServer {
-    private static final String PREFIX = "/rsal/"; // the node of the bridge
-
     private final Services services;
     private final ActionServer steps;
 
+    /// @param node that serves them: `/rsal`
     /// @param robots by id
     /// @param restart lets the time of ROS begin again
     /// @param halt ends what programs have commanded
-    /// @param link of the node `/rsal`
+    /// @param link of that node
     public SimulationServer(
+            String node,
             SimulationControl world,
             RunControl control,
             TruthTracker truth,
@@ -32,15 +32,16 @@ public final class SimulationServer {
             Runnable halt,
             RosLink link,
             PublishedTime time) {
+        String prefix = node + "/";
         TypeLibrary types = TypeLibrary.of(Distribution.JAZZY);
         services = new Services(link, types, control);
-        new EntityServices(world, control, truth, robots, time).serve(services, PREFIX);
+        new EntityServices(world, control, truth, robots, time).serve(services, prefix);
         var run = new RunServices(control, restart, halt, time::ofRun);
-        run.serve(services, PREFIX);
+        run.serve(services, prefix);
         steps = new ActionServer(
                 link,
                 new Services(link, types, control),
-                PREFIX + "simulate_steps",
+                prefix + "simulate_steps",
                 "simulation_interfaces/action/SimulateSteps",
                 time,
                 run);

@@ -50,7 +50,7 @@ public final class EventLog {
         this(time, onEvent, Optional.empty());
     }
 
-    /// @param observer told of each event and message
+    /// @param observer gets each event and message
     public EventLog(Supplier<Duration> time, Runnable onEvent, Optional<RunObserver> observer) {
         this.time = time;
         this.onEvent = onEvent;

@@ -28,7 +28,7 @@ final class ProxyGrasp {
     private @Nullable String thing;
 
     /// @param taken whether a thing goes along with another
-    /// @param reported what people are told of it
+    /// @param reported what people see of it
     ProxyGrasp(RobotSpec spec, Predicate<String> taken, Consumer<String> reported) {
         this.spec = spec;
         this.taken = taken;
