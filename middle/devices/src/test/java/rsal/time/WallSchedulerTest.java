@@ -112,6 +112,7 @@ class WallSchedulerTest {
             driven.execute(note("handed in"));
             return driven.after(ms(1), Phase.WORLD, note("later"));
         });
+        at(0); // what is due runs before time goes on
         at(1);
         assertThat(ran).containsExactly("0 handed in", "0 none", "0 observe", "1 later");
     }
