@@ -6,8 +6,11 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Consumer;
 import rsal.rtps.WriterProxy.Arrival;
+import rsal.rtps.wire.EntityId;
 import rsal.rtps.wire.Guid;
+import rsal.rtps.wire.GuidPrefix;
 import rsal.rtps.wire.InvalidRtps;
+import rsal.rtps.wire.MessageWriter;
 import rsal.rtps.wire.ParameterId;
 import rsal.rtps.wire.ParameterList;
 import rsal.rtps.wire.Submessage.Content;
@@ -22,6 +25,26 @@ final class DiscoveryMessages {
     private static final int GONE = 0b11; // disposed and unregistered, in STATUS_INFO
 
     private DiscoveryMessages() {}
+
+    /// Writes what a participant says of itself.
+    static void announce(MessageWriter to, byte[] announced) {
+        participant(to, 1, Content.DATA, Optional.empty(), announced);
+    }
+
+    /// Writes that a participant leaves.
+    static void leave(MessageWriter to, GuidPrefix prefix) {
+        var guid = new Guid(prefix, EntityId.PARTICIPANT);
+        participant(to, 2, Content.KEY, gone(guid), key(ParameterId.PARTICIPANT_GUID, guid));
+    }
+
+    private static void participant(
+            MessageWriter to,
+            long number,
+            Content content,
+            Optional<Consumer<ParameterList.Writer>> inlineQos,
+            byte[] payload) {
+        to.data(EntityId.PARTICIPANT_READER, EntityId.PARTICIPANT_WRITER, number, inlineQos, content, payload);
+    }
 
     /// A list that names nothing but a participant or endpoint.
     static byte[] key(int id, Guid guid) {

@@ -14,7 +14,6 @@ import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.wire.EntityId;
 import rsal.rtps.wire.Guid;
 import rsal.rtps.wire.GuidPrefix;
-import rsal.rtps.wire.MessageWriter;
 
 /// Writers and readers of a participant, the built-in ones too, and with whom of others each is matched.
 final class OwnEndpoints {
@@ -146,10 +145,10 @@ final class OwnEndpoints {
     /// Does what is due.
     ///
     /// @return when there is next something to do [ns]
-    long tick(MessageWriter messages, Transmitter network, long now) {
+    long tick(Outbox outbox, long now) {
         long due = leaving.values().stream().reduce(Long.MAX_VALUE, Math::min);
         for (SampleReader reader : readers.values()) {
-            due = Math.min(due, reader.tick(messages, network, now));
+            due = Math.min(due, reader.tick(outbox, now));
         }
         for (SampleWriter writer : writers.values()) {
             writer.tick(now);

@@ -42,10 +42,10 @@ public final class Participant {
     private static final long BETWEEN_ANNOUNCEMENTS = 3 * SECOND / 2; // so that who was cut off is found within 2 s
 
     private final ParticipantData self;
+    private final byte[] announced; // what it says of itself
     private final RtpsLimits limits;
-    private final Transmitter network;
     private final GraphListener graph;
-    private final MessageWriter messages;
+    private final Outbox outbox;
     private final AssemblyBudget budget;
     private final WriterExchange exchange;
     private final Map<BuiltinEndpoint, SampleWriter> tellers = new LinkedHashMap<>();
@@ -78,14 +78,14 @@ public final class Participant {
             throw new IllegalArgumentException("Fragments of %d bytes do not fit datagrams.".formatted(fragmentSize));
         }
         this.self = self;
+        announced = DiscoveryMessages.parameters(self::write);
         this.limits = limits;
-        this.network = network;
         this.graph = graph;
         this.now = now;
         own = new OwnEndpoints(graph);
-        messages = new MessageWriter(self.prefix());
+        outbox = new Outbox(self.prefix(), network, fragmentSize);
         budget = new AssemblyBudget(limits);
-        exchange = new WriterExchange(messages, network, fragmentSize, limits);
+        exchange = new WriterExchange(outbox, fragmentSize, limits);
         announceAt = now;
         due = now;
         for (BuiltinEndpoint builtin : BuiltinEndpoint.RELIABLE) {
@@ -153,6 +153,7 @@ public final class Participant {
         announce(BuiltinEndpoint.PUBLICATIONS, data);
         own.add(writer, others.values(), now);
         wake(now);
+        outbox.flush();
         return writer;
     }
 
@@ -165,6 +166,7 @@ public final class Participant {
         announce(BuiltinEndpoint.SUBSCRIPTIONS, data);
         own.add(reader, others.values(), now);
         wake(now);
+        outbox.flush();
         return reader;
     }
 
@@ -182,6 +184,7 @@ public final class Participant {
         advance(time);
         OptionalLong number = writer.write(timestamp, inlineQos, payload, now);
         wake(writer.due());
+        outbox.flush();
         return number;
     }
 
@@ -190,6 +193,7 @@ public final class Participant {
         advance(time);
         writer.write(reply, now);
         wake(writer.due());
+        outbox.flush();
     }
 
     /// Nothing more is written by it. It goes when all reliable readers have its samples, at most half a second later.
@@ -209,6 +213,7 @@ public final class Participant {
         if (own.remove(reader)) {
             withdraw(BuiltinEndpoint.SUBSCRIPTIONS, reader.data().guid());
             wake(now);
+            outbox.flush();
         }
     }
 
@@ -222,18 +227,10 @@ public final class Participant {
     public void close(long time) {
         advance(time);
         for (int i = 0; i < 2; i++) {
-            var guid = new Guid(self.prefix(), EntityId.PARTICIPANT);
-            announcement(
-                    GuidPrefix.UNKNOWN,
-                    Content.KEY,
-                    DiscoveryMessages.gone(guid),
-                    DiscoveryMessages.key(ParameterId.PARTICIPANT_GUID, guid),
-                    2);
-            network.announce(messages.message());
-            others.values()
-                    .forEach(other -> other.metatraffic
-                            .addresses()
-                            .forEach(address -> network.send(messages.message(), address)));
+            DiscoveryMessages.leave(outbox.toAll(), self.prefix());
+            outbox.announce();
+            others.values().forEach(other -> DiscoveryMessages.leave(outbox.to(other.metatraffic), self.prefix()));
+            outbox.flush();
         }
     }
 
@@ -245,6 +242,7 @@ public final class Participant {
         } catch (InvalidRtps e) {
             malformed++;
         }
+        outbox.flush();
     }
 
     /// Does what is due, such as telling again what nobody acknowledged.
@@ -260,7 +258,8 @@ public final class Participant {
                     .forEach(gone ->
                             withdraw(BuiltinEndpoint.PUBLICATIONS, gone.data().guid()));
             due = Math.min(announceAt, earliestExpiry);
-            wake(own.tick(messages, network, now));
+            wake(own.tick(outbox, now));
+            outbox.flush();
         }
         return due;
     }
@@ -280,24 +279,12 @@ public final class Participant {
 
     private void announce() {
         if (now >= announceAt) {
-            announcement(
-                    GuidPrefix.UNKNOWN, Content.DATA, Optional.empty(), DiscoveryMessages.parameters(self::write), 1);
-            network.announce(messages.message());
+            DiscoveryMessages.announce(outbox.toAll(), announced);
+            outbox.announce();
             announcements++;
             long usual = Math.clamp(self.lease() / 3, BETWEEN_FIRST_ANNOUNCEMENTS, BETWEEN_ANNOUNCEMENTS);
             announceAt = now + (announcements < FIRST_ANNOUNCEMENTS ? BETWEEN_FIRST_ANNOUNCEMENTS : usual);
         }
-    }
-
-    /// Puts together a message about this participant.
-    private void announcement(
-            GuidPrefix to,
-            Content content,
-            Optional<Consumer<ParameterList.Writer>> inlineQos,
-            byte[] payload,
-            long number) {
-        messages.begin(to)
-                .data(EntityId.PARTICIPANT_READER, EntityId.PARTICIPANT_WRITER, number, inlineQos, content, payload);
     }
 
     /// @return when the next participant goes unless it announces itself again [ns]
@@ -354,7 +341,7 @@ public final class Participant {
             case Submessage.Heartbeat heartbeat ->
                 own.proxies(writer, heartbeat.reader(), proxy -> {
                     proxy.receive(heartbeat, now);
-                    proxy.request(messages, network, now);
+                    proxy.request(outbox, now);
                     wake(proxy.due());
                 });
             case Submessage.Gap gap -> own.proxies(writer, gap.reader(), proxy -> proxy.receive(gap));
@@ -378,6 +365,11 @@ public final class Participant {
                 if (other != null) {
                     lose(other);
                 }
+                return;
+            }
+            RemoteParticipant known = others.get(origin.source());
+            if (known != null && known.hasSaid(sample.payload())) {
+                isAlive(known);
             } else if (sample.content() == Content.DATA) {
                 ParticipantData data = ParticipantData.of(DiscoveryMessages.list(sample.payload()));
                 boolean isOfOurDomain =
@@ -385,7 +377,7 @@ public final class Participant {
                 if (data.prefix().equals(origin.source())
                         && isOfOurDomain
                         && data.domainTag().isEmpty()) {
-                    meet(data, from);
+                    meet(data, from, sample.payload());
                 }
             }
         } catch (InvalidRtps e) {
@@ -393,7 +385,12 @@ public final class Participant {
         }
     }
 
-    private void meet(ParticipantData data, InetSocketAddress from) {
+    private void isAlive(RemoteParticipant other) {
+        other.isAlive(now);
+        wake(other.expiry);
+    }
+
+    private void meet(ParticipantData data, InetSocketAddress from, ByteBuffer payload) {
         RemoteParticipant known = others.get(data.prefix());
         if (known != null && !known.isWhereItWas(data)) {
             lose(known); // it comes again
@@ -414,22 +411,19 @@ public final class Participant {
             welcome(known);
             graph.onParticipant(data);
         }
-        known.isAlive(now);
-        wake(known.expiry);
+        known.says(payload);
+        isAlive(known);
     }
 
     /// So that it does not have to wait for the next announcement.
     private void welcome(RemoteParticipant other) {
-        announcement(other.data.prefix(), Content.DATA, Optional.empty(), DiscoveryMessages.parameters(self::write), 1);
-        other.metatraffic.addresses().forEach(address -> network.send(messages.message(), address));
+        DiscoveryMessages.announce(outbox.sample(other.metatraffic, announced.length), announced);
         for (BuiltinEndpoint builtin : BuiltinEndpoint.RELIABLE) {
             if ((other.data.builtinEndpoints() & builtin.writerBit()) != 0) {
-                own.match(
-                        Objects.requireNonNull(hearers.get(builtin)),
-                        other.metatraffic,
-                        new Guid(other.data.prefix(), builtin.writer()),
-                        true,
-                        now);
+                SampleReader hearer = Objects.requireNonNull(hearers.get(builtin));
+                var writer = new Guid(other.data.prefix(), builtin.writer());
+                own.match(hearer, other.metatraffic, writer, true, now);
+                Objects.requireNonNull(hearer.writers().get(writer)).request(outbox, now); // in the same datagram
             }
             if ((other.data.builtinEndpoints() & builtin.readerBit()) != 0) {
                 teller(builtin)

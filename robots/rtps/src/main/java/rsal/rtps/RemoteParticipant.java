@@ -1,5 +1,6 @@
 package rsal.rtps;
 
+import java.nio.ByteBuffer;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import rsal.rtps.discovery.EndpointData;
@@ -15,6 +16,7 @@ final class RemoteParticipant {
     final Addressee metatraffic;
     final Addressee userTraffic;
     final Map<Guid, EndpointData> endpoints = new LinkedHashMap<>();
+    private ByteBuffer said = ByteBuffer.allocate(0); // the newest that it said of itself
     long expiry; // when it is gone unless it announces itself again [ns]
 
     RemoteParticipant(ParticipantData data, Addressee metatraffic, Addressee userTraffic) {
@@ -27,6 +29,16 @@ final class RemoteParticipant {
     boolean isWhereItWas(ParticipantData newest) {
         return newest.metatraffic().equals(data.metatraffic())
                 && newest.userTraffic().equals(data.userTraffic());
+    }
+
+    /// @param payload of its announcement, used again afterwards
+    void says(ByteBuffer payload) {
+        said = ByteBuffer.allocate(payload.remaining()).put(payload.duplicate()).flip();
+    }
+
+    /// Whether that is what it said before, which need not be read again: most announcements are so.
+    boolean hasSaid(ByteBuffer payload) {
+        return said.hasRemaining() && said.equals(payload);
     }
 
     void isAlive(long now) {

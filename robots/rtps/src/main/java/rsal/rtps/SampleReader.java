@@ -9,7 +9,6 @@ import java.util.SequencedMap;
 import rsal.rtps.WriterProxy.Arrival;
 import rsal.rtps.discovery.EndpointData;
 import rsal.rtps.wire.Guid;
-import rsal.rtps.wire.MessageWriter;
 
 /// A reader of ours, and the writers that it reads from.
 ///
@@ -138,11 +137,11 @@ public final class SampleReader {
     }
 
     /// @return when it next has something to ask for [ns]
-    long tick(MessageWriter messages, Transmitter network, long now) {
+    long tick(Outbox outbox, long now) {
         long due = Long.MAX_VALUE;
         for (WriterProxy writer : writers.values()) {
             writer.forgetOld(now);
-            writer.request(messages, network, now);
+            writer.request(outbox, now);
             due = Math.min(due, writer.due());
         }
         return due;

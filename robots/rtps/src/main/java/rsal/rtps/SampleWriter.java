@@ -1,7 +1,6 @@
 package rsal.rtps;
 
 import java.nio.ByteBuffer;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -238,13 +237,11 @@ public final class SampleWriter {
                         .add(reader));
         groups.forEach((addressee, group) -> {
             EntityId to = group.size() == 1 ? group.getFirst().guid.entity() : EntityId.UNKNOWN;
-            begin(addressee.prefix());
-            put(sample, to);
+            put(sample, addressee, to);
             if (group.stream().anyMatch(reader -> reader.isReliable)) {
-                heartbeat(to, false);
+                heartbeat(addressee, to, false);
                 group.forEach(reader -> reader.expectAnswer(now));
             }
-            send(addressee);
         });
     }
 
@@ -277,9 +274,9 @@ public final class SampleWriter {
                 continue;
             }
             stream.fragments().clear(fragment);
-            begin(reader.addressee.prefix());
-            exchange.messages().timestamp(sample.timestamp());
-            exchange.messages()
+            exchange.outbox()
+                    .sample(reader.addressee, exchange.fragmentSize())
+                    .timestamp(sample.timestamp())
                     .fragment(
                             reader.guid.entity(),
                             data.guid().entity(),
@@ -291,11 +288,10 @@ public final class SampleWriter {
             if (stream.fragments().isEmpty()) {
                 reader.streams.removeFirst();
                 if (reader.isReliable && reader.streams.isEmpty()) {
-                    heartbeat(reader.guid.entity(), false);
+                    heartbeat(reader, false);
                     reader.expectAnswer(now);
                 }
             }
-            send(reader.addressee);
             sent += exchange.fragmentSize();
         }
     }
@@ -310,12 +306,10 @@ public final class SampleWriter {
         var proxy = new ReaderProxy(reader, addressee, reliable, late && reliable ? 0 : last, now);
         readers.put(reader, proxy);
         if (reliable) {
-            begin(addressee.prefix());
             if (proxy.start > 0) {
-                exchange.messages().gap(gap(reader.entity(), 1, NumberSet.empty(proxy.start + 1)));
+                exchange.outbox().to(addressee).gap(gap(reader.entity(), 1, NumberSet.empty(proxy.start + 1)));
             }
-            heartbeat(reader.entity(), false);
-            send(addressee);
+            heartbeat(proxy, false);
             proxy.reported(now);
         }
         settle(); // it may lack samples that all others have
@@ -357,9 +351,7 @@ public final class SampleWriter {
         release(now);
         if (answer.missing().isEmpty() || answer.missing().base() < 1) {
             if (!answer.isFinal()) {
-                begin(reader.addressee.prefix());
-                heartbeat(reader.guid.entity(), reader.isReady); // until it has answered one
-                send(reader.addressee);
+                heartbeat(reader, reader.isReady); // until it has answered one
             }
         } else if (now - reader.repaired >= BETWEEN_REPAIRS) {
             reader.repaired = now;
@@ -369,7 +361,6 @@ public final class SampleWriter {
 
     private void repair(ReaderProxy reader, NumberSet missing, long now) {
         var never = new ArrayList<Long>();
-        var small = new ArrayDeque<KeptSample>(); // of one datagram each
         int bytes = 0;
         for (long number : missing.numbers().filter(each -> each <= last).toArray()) {
             Optional<KeptSample> sample = number > reader.start ? history.find(number) : Optional.empty();
@@ -380,22 +371,14 @@ public final class SampleWriter {
                 if (isLarge(sample.get())) {
                     begin(reader, sample.get(), now);
                 } else {
-                    small.add(sample.get());
+                    put(sample.get(), reader.addressee, reader.guid.entity());
                 }
             }
         }
-        while (small.size() > (never.isEmpty() ? 1 : 0)) { // the last one goes with the heartbeat
-            begin(reader.addressee.prefix());
-            put(small.remove(), reader.guid.entity());
-            send(reader.addressee);
-        }
-        begin(reader.addressee.prefix());
-        small.forEach(sample -> put(sample, reader.guid.entity()));
         if (!never.isEmpty()) {
-            exchange.messages().gap(gap(reader.guid.entity(), never));
+            exchange.outbox().to(reader.addressee).gap(gap(reader.guid.entity(), never));
         }
-        heartbeat(reader.guid.entity(), false);
-        send(reader.addressee);
+        heartbeat(reader, false);
         reader.reported(now);
     }
 
@@ -435,9 +418,7 @@ public final class SampleWriter {
         for (ReaderProxy reader : readers.values()) {
             stream(reader, now);
             if (reader.streams.isEmpty() && reader.heartbeatAt() <= now) {
-                begin(reader.addressee.prefix());
-                heartbeat(reader.guid.entity(), false);
-                send(reader.addressee);
+                heartbeat(reader, false);
                 reader.reported(now);
             }
         }
@@ -452,12 +433,9 @@ public final class SampleWriter {
         return due;
     }
 
-    private void begin(GuidPrefix destination) {
-        exchange.messages().begin(destination);
-    }
-
-    private void put(KeptSample sample, EntityId reader) {
-        exchange.messages()
+    private void put(KeptSample sample, Addressee addressee, EntityId reader) {
+        exchange.outbox()
+                .sample(addressee, sample.payload().length)
                 .timestamp(sample.timestamp())
                 .data(
                         reader,
@@ -468,15 +446,14 @@ public final class SampleWriter {
                         sample.payload());
     }
 
-    private void heartbeat(EntityId reader, boolean isFinal) {
-        exchange.messages()
-                .heartbeat(
-                        new Heartbeat(reader, data.guid().entity(), history.first(last), last, ++heartbeats, isFinal));
+    private void heartbeat(ReaderProxy reader, boolean isFinal) {
+        heartbeat(reader.addressee, reader.guid.entity(), isFinal);
     }
 
-    private void send(Addressee addressee) {
-        addressee
-                .addresses()
-                .forEach(address -> exchange.network().send(exchange.messages().message(), address));
+    private void heartbeat(Addressee addressee, EntityId reader, boolean isFinal) {
+        exchange.outbox()
+                .heartbeat(
+                        addressee,
+                        new Heartbeat(reader, data.guid().entity(), history.first(last), last, ++heartbeats, isFinal));
     }
 }

@@ -7,7 +7,6 @@ import java.util.TreeMap;
 import java.util.stream.LongStream;
 import rsal.rtps.wire.EntityId;
 import rsal.rtps.wire.Guid;
-import rsal.rtps.wire.MessageWriter;
 import rsal.rtps.wire.NumberSet;
 import rsal.rtps.wire.ParameterList;
 import rsal.rtps.wire.Submessage.AckNack;
@@ -342,7 +341,7 @@ final class WriterProxy implements SampleReader.Source {
 
     /// Asks for what is missing, or whether there is anything, if that is due. While the receiver takes
     /// nothing, it asks for nothing, and says only which samples it has taken.
-    void request(MessageWriter messages, Transmitter network, long now) {
+    void request(Outbox outbox, long now) {
         if (due > now) {
             return;
         }
@@ -352,15 +351,14 @@ final class WriterProxy implements SampleReader.Source {
             due = now + patience;
             patience = Math.min(2 * patience, LAST_REQUEST);
         }
-        messages.begin(addressee.prefix());
         NumberSet missing = isRefusing ? NumberSet.empty(next) : missing();
-        messages.ackNack(new AckNack(reader, guid.entity(), missing, ++requests, isHeard));
+        outbox.to(addressee).ackNack(new AckNack(reader, guid.entity(), missing, ++requests, isHeard));
         if (!isRefusing) {
             incomplete.forEach((number, assembly) -> missing(assembly)
-                    .ifPresent(fragments -> messages.nackFragments(
-                            new NackFragments(reader, guid.entity(), number, fragments, ++fragmentRequests))));
+                    .ifPresent(fragments -> outbox.to(addressee)
+                            .nackFragments(
+                                    new NackFragments(reader, guid.entity(), number, fragments, ++fragmentRequests))));
         }
-        addressee.addresses().forEach(address -> network.send(messages.message(), address));
     }
 
     private NumberSet missing() {

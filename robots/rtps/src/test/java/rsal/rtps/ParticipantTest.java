@@ -68,6 +68,24 @@ class ParticipantTest {
         assertThat(writer.matched()).isEqualTo(1);
     }
 
+    /// Each datagram costs both sides a system call, so what goes to one participant at once goes in one of them: of
+    /// all that is sent, five are the first announcements.
+    @Test
+    void findEachOtherByFewDatagrams() {
+        var network = new SimulatedNetwork(1, 0);
+        int nodes = Rounds.of(20, 100);
+        for (int i = 0; i < nodes; i++) {
+            Node node = network.join();
+            reader(node, network, Qos.DEFAULT);
+            writer(node, network, Qos.DEFAULT);
+        }
+        network.run(Duration.ofMillis(450));
+        for (int i = 0; i < nodes; i++) {
+            assertThat(network.node(i).participant.endpoints()).hasSize(2 * (nodes - 1));
+        }
+        assertThat(network.sent()).isLessThan(16L * nodes * (nodes - 1));
+    }
+
     @Test
     void findEachOtherAndTheirEndpoints() {
         var network = new SimulatedNetwork(1, 0);

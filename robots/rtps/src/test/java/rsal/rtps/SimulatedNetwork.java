@@ -149,6 +149,10 @@ final class SimulatedNetwork {
         return again;
     }
 
+    Node node(int number) {
+        return nodes.get(number);
+    }
+
     /// Anything at all arrives, as from outside.
     void inject(Node to, byte[] bytes, InetSocketAddress from) {
         to.participant.receive(ByteBuffer.wrap(bytes), from, now);

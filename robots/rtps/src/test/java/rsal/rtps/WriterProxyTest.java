@@ -14,7 +14,6 @@ import rsal.rtps.wire.Guid;
 import rsal.rtps.wire.GuidPrefix;
 import rsal.rtps.wire.InvalidRtps;
 import rsal.rtps.wire.MessageReader;
-import rsal.rtps.wire.MessageWriter;
 import rsal.rtps.wire.NumberSet;
 import rsal.rtps.wire.ParameterList;
 import rsal.rtps.wire.Submessage;
@@ -87,7 +86,9 @@ class WriterProxyTest {
                 throw new AssertionError("Nothing is announced.");
             }
         };
-        proxy.request(new MessageWriter(new GuidPrefix(2, 2)), network, now);
+        var outbox = new Outbox(new GuidPrefix(2, 2), network, 1_344);
+        proxy.request(outbox, now);
+        outbox.flush();
         return requests;
     }
 
