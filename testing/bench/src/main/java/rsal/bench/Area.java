@@ -1,11 +1,13 @@
 package rsal.bench;
 
+import java.util.ArrayList;
 import java.util.List;
 import rsal.bench.mas.HostBench;
 import rsal.bench.mas.OverheadBench;
 import rsal.bench.mas.WrittenBench;
 import rsal.bench.measurement.Bench;
 import rsal.bench.measurement.BenchmarkRequest;
+import rsal.bench.measurement.MeasurementFailed;
 import rsal.bench.navigation.BarnBench;
 import rsal.bench.navigation.ExploreBench;
 import rsal.bench.navigation.LocalizationBench;
@@ -43,13 +45,26 @@ public record Area(String name, List<Bench> benches) {
         return benches.stream().flatMap(bench -> bench.names().stream()).toList();
     }
 
-    /// Measures what is asked for. Takes minutes.
-    public void measure(BenchmarkRequest assignment) {
+    /// Measures what is asked for. Takes minutes. A benchmark that fails does not end the others.
+    ///
+    /// @return why some could not be measured; empty if none failed
+    public List<String> measure(BenchmarkRequest assignment) {
+        var failures = new ArrayList<String>();
         for (Bench bench : benches) {
             if (assignment.wantsAny(bench.names())) {
-                bench.measure(assignment);
+                try {
+                    bench.measure(assignment);
+                } catch (MeasurementFailed e) {
+                    failures.add("'%s' and those after it of the same benchmark were not all measured. %s"
+                            .formatted(first(bench, assignment), e.getMessage()));
+                }
             }
         }
+        return failures;
+    }
+
+    private static String first(Bench bench, BenchmarkRequest assignment) {
+        return bench.names().stream().filter(assignment::wants).findFirst().orElseThrow();
     }
 
     /// All that there are.

@@ -101,25 +101,26 @@ public final class BenchCommand extends Subcommand {
         var results = new ArrayList<Result>();
         var progress = new BenchProgress(err(), wanted.size());
         var plots = new ArrayList<Plot>();
-        chosen.measure(new BenchmarkRequest(
+        List<String> failures = chosen.measure(new BenchmarkRequest(
                 Set.copyOf(wanted),
                 often,
                 publicData,
                 result -> {
                     results.add(result);
-                    progress.measured(result.name());
+                    progress.measured(text(result));
                 },
                 plots::add,
                 err()::println,
                 progress::reached));
         progress.end();
-        if (results.isEmpty()) {
+        failures.forEach(err()::println);
+        if (results.isEmpty() && failures.isEmpty()) {
             throw new Unreachable("Nothing was measured, for want of data.");
         }
         var machine = machine();
         report.ifPresent(written -> written.write(chosen.name(), results, plots, machine));
         print(results, machine);
-        return Exit.SUCCESS;
+        return failures.isEmpty() ? Exit.SUCCESS : Exit.NO_SUCCESS;
     }
 
     private Optional<Path> publicData() {
@@ -179,13 +180,21 @@ public final class BenchCommand extends Subcommand {
                                     result.unit(),
                                     number(result.least()),
                                     number(result.most()),
-                                    result.goal()
-                                            .map(goal -> ", to reach: " + number(goal))
-                                            .orElse("")));
+                                    toReach(result)));
         }
         out().print(table);
         out().println(machine);
         out().flush();
+    }
+
+    private static String toReach(Result result) {
+        return result.goal().map(goal -> ", to reach: " + number(goal)).orElse("");
+    }
+
+    /// `ros2.loss10.delay.p50 0.21 ms, to reach: 100`
+    private static String text(Result result) {
+        String value = "%s %s".formatted(number(result.value()), result.unit()).strip();
+        return "%s %s%s".formatted(result.name(), value, toReach(result));
     }
 
     /// Three digits that say something.

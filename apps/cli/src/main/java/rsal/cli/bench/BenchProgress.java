@@ -23,9 +23,10 @@ final class BenchProgress {
         err.println("Measuring %d; Ctrl-C ends it.".formatted(wanted));
     }
 
-    synchronized void measured(String name) {
+    /// @param result `sim.empty.1 120 M/s`
+    synchronized void measured(String result) {
         measured++;
-        err.println("%d/%d %s".formatted(measured, wanted, name));
+        err.println("%d/%d %s".formatted(measured, wanted, result));
         reported = System.nanoTime();
     }
 
@@ -44,6 +45,6 @@ final class BenchProgress {
     }
 
     private void printInterrupted() {
-        err.println("Interrupted: %d of %d were measured, and are lost.".formatted(measured, wanted));
+        err.println("Interrupted: %d of %d were measured; their values are above.".formatted(measured, wanted));
     }
 }

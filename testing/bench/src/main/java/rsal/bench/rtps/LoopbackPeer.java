@@ -10,6 +10,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.random.RandomGenerator;
+import rsal.bench.measurement.MeasurementFailed;
 import rsal.rtps.GraphListener;
 import rsal.rtps.SampleListener;
 import rsal.rtps.SampleReader;
@@ -105,12 +106,12 @@ final class LoopbackPeer implements AutoCloseable {
     }
 
     /// @return how long it took [s]
-    /// @throws IllegalStateException when it does not happen within a minute
+    /// @throws MeasurementFailed when it does not happen within a minute
     static double await(String what, BooleanSupplier happened) {
         long begun = System.nanoTime();
         while (!happened.getAsBoolean()) {
             if (System.nanoTime() - begun > Duration.ofMinutes(1).toNanos()) {
-                throw new IllegalStateException("Within a minute, %s.".formatted(what));
+                throw new MeasurementFailed("Within a minute, %s.".formatted(what));
             }
             LockSupport.parkNanos(GLANCE.toNanos());
         }

@@ -20,6 +20,7 @@ import rsal.ros2.cdr.CdrReader;
 import rsal.ros2.cdr.InvalidCdr;
 import rsal.ros2.message.RosMessages;
 import rsal.ros2.message.ScanMessage;
+import rsal.rtps.SampleReader;
 import rsal.rtps.SampleWriter;
 import rsal.rtps.discovery.Qos;
 import rsal.time.AllowedToReadWallClock;
@@ -106,7 +107,7 @@ public final class TripBench implements Bench {
                 LoopbackPeer other = LoopbackPeer.join()) {
             SampleWriter there = one.writer("rt/there", TYPE, Qos.SENSOR_DATA);
             SampleWriter back = other.writer("rt/back", TYPE, Qos.SENSOR_DATA);
-            other.reader("rt/there", TYPE, Qos.SENSOR_DATA, sample -> {
+            SampleReader outward = other.reader("rt/there", TYPE, Qos.SENSOR_DATA, sample -> {
                 read(sample.payload());
                 other.write(back, scan);
             });
@@ -114,7 +115,7 @@ public final class TripBench implements Bench {
                 int number;
                 long begun;
             };
-            one.reader("rt/back", TYPE, Qos.SENSOR_DATA, sample -> {
+            SampleReader homeward = one.reader("rt/back", TYPE, Qos.SENSOR_DATA, sample -> {
                 read(sample.payload());
                 long now = System.nanoTime();
                 times[trip.number++] = now - trip.begun;
@@ -125,7 +126,12 @@ public final class TripBench implements Bench {
                     done.complete(true);
                 }
             });
-            LoopbackPeer.await("the other was not found", () -> one.ready(there) == 1 && other.ready(back) == 1);
+            LoopbackPeer.await(
+                    "the other was not found",
+                    () -> one.ready(there) == 1
+                            && other.ready(back) == 1
+                            && outward.matched() == 1 // else it would take no first scan
+                            && homeward.matched() == 1);
             trip.begun = System.nanoTime();
             one.write(there, scan);
             LoopbackPeer.await("a scan was lost", done::isDone);
