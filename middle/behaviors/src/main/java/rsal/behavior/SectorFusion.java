@@ -21,7 +21,8 @@ import rsal.data.Rep117;
 /// so near has it forgotten; one that hears something does not know how near that is, or where in its cone. What sonars
 /// hear is too wide to be remembered. Belongs to one robot.
 public final class SectorFusion {
-    private static final Duration REMEMBERED = Duration.ofSeconds(60);
+    private static final long REMEMBERED = Duration.ofSeconds(60).toNanos();
+    private static final long NEVER = Long.MIN_VALUE;
 
     /// What the two may differ by when they see the same thing.
     private static final double SAME = 0.1;
@@ -34,8 +35,12 @@ public final class SectorFusion {
     private static final double CONE = 0.5;
 
     private final double limit;
+    private final float[] seen = new float[Surroundings.SECTORS]; // by the laser now
+    private final float[] sensed = new float[Surroundings.SECTORS]; // by laser and sonars now
+    private final float[] nearest = new float[Surroundings.SECTORS]; // of what is remembered
     private Memory memory = new Memory();
     private Memory spare = new Memory();
+    private boolean remembers; // whether there is anything in the memory
     private @Nullable Fan fan;
     private @Nullable Cones cones;
 
@@ -44,9 +49,13 @@ public final class SectorFusion {
     private static final class Memory {
         private final double[] x = new double[Surroundings.SECTORS];
         private final double[] y = new double[Surroundings.SECTORS];
-        private final @Nullable Instant[] seen = new Instant[Surroundings.SECTORS];
+        private final long[] seen = new long[Surroundings.SECTORS]; // [ns] since the epoch; NEVER
 
-        void put(int sector, double odomX, double odomY, Instant time) {
+        void clear() {
+            Arrays.fill(seen, NEVER);
+        }
+
+        void put(int sector, double odomX, double odomY, long time) {
             x[sector] = odomX;
             y[sector] = odomY;
             seen[sector] = time;
@@ -153,40 +162,54 @@ public final class SectorFusion {
     /// @param limit things farther away than this do not count [m]
     public SectorFusion(double limit) {
         this.limit = limit;
+        memory.clear();
+        spare.clear();
     }
 
     /// @param now of this picture, not before that of the last
     public Surroundings fuse(Instant now, Pose2d odomFromBase, Optional<LaserScan> laser, Optional<RangeArray> sonars) {
-        float[] ranges = nothing();
+        float[] ranges = new float[Surroundings.SECTORS];
+        Arrays.fill(ranges, Float.NaN);
         laser.ifPresent(scan -> look(scan, ranges));
-        float[] seen = ranges.clone();
+        System.arraycopy(ranges, 0, seen, 0, seen.length);
         sonars.ifPresent(round -> {
             if (laser.isPresent()) {
-                listen(round, seen, ranges);
+                listenBesideLaser(round, ranges);
             } else {
                 listen(round, ranges);
             }
         });
-        recall(now, odomFromBase, seen, ranges);
-        remember(now, odomFromBase, seen);
+        if (laser.isPresent() || remembers) {
+            long time = nanos(now);
+            recall(time, odomFromBase, ranges);
+            remember(time, odomFromBase);
+        }
         return new Surroundings(ranges);
+    }
+
+    /// Since the epoch.
+    private static long nanos(Instant time) {
+        return Math.addExact(Math.multiplyExact(time.getEpochSecond(), 1_000_000_000), time.getNano());
     }
 
     /// Adds what is remembered of sectors that the laser doesn't look into, unless a sonar hears nothing so near. The
     /// rest is forgotten.
-    private void recall(Instant now, Pose2d odomFromBase, float[] seen, float[] ranges) {
-        float[] sensed = ranges.clone();
-        Instant oldest = now.minus(REMEMBERED);
+    ///
+    /// @param now since the epoch [ns]
+    private void recall(long now, Pose2d odomFromBase, float[] ranges) {
+        System.arraycopy(ranges, 0, sensed, 0, sensed.length);
+        Arrays.fill(nearest, Float.NaN);
+        long oldest = now - REMEMBERED;
         double cos = Math.cos(odomFromBase.theta());
         double sin = Math.sin(odomFromBase.theta());
         Memory before = memory;
         memory = spare;
         spare = before;
-        Arrays.fill(memory.seen, null);
-        float[] nearest = nothing(); // of what is remembered
+        memory.clear();
+        remembers = false;
         for (int i = 0; i < Surroundings.SECTORS; i++) {
-            Instant then = before.seen[i];
-            if (then == null || then.isBefore(oldest)) {
+            long then = before.seen[i];
+            if (then < oldest) { // or never
                 continue;
             }
             double dx = before.x[i] - odomFromBase.x();
@@ -199,12 +222,14 @@ public final class SectorFusion {
             if (isStillThere && !(nearest[sector] <= range)) {
                 nearest[sector] = range;
                 memory.put(sector, before.x[i], before.y[i], then);
+                remembers = true;
                 ranges[sector] = ranges[sector] <= range ? ranges[sector] : range; // also where nothing was
             }
         }
     }
 
-    private void remember(Instant now, Pose2d odomFromBase, float[] seen) {
+    /// @param now since the epoch [ns]
+    private void remember(long now, Pose2d odomFromBase) {
         double cos = Math.cos(odomFromBase.theta());
         double sin = Math.sin(odomFromBase.theta());
         for (int sector = 0; sector < seen.length; sector++) {
@@ -212,14 +237,9 @@ public final class SectorFusion {
                 double x = seen[sector] * Surroundings.cos(sector);
                 double y = seen[sector] * Surroundings.sin(sector);
                 memory.put(sector, odomFromBase.x() + cos * x - sin * y, odomFromBase.y() + sin * x + cos * y, now);
+                remembers = true;
             }
         }
-    }
-
-    private static float[] nothing() {
-        var ranges = new float[Surroundings.SECTORS];
-        Arrays.fill(ranges, Float.NaN);
-        return ranges;
     }
 
     private void look(LaserScan scan, float[] ranges) {
@@ -257,7 +277,8 @@ public final class SectorFusion {
         }
     }
 
-    private void listen(RangeArray round, float[] seen, float[] ranges) {
+    /// With a laser, only what it does not explain.
+    private void listenBesideLaser(RangeArray round, float[] ranges) {
         Cones all = cones(round);
         for (int sonar = 0; sonar < round.count(); sonar++) {
             double range = measured(round.ranges()[sonar], round.rangeMin(), round.rangeMax());

@@ -45,10 +45,14 @@ public final class FreeSpace {
                 from = to;
             }
         }
-        boolean[] roomy = open(map, reach(map, clearance));
-        cells = Arrays.stream(found, largestFrom, largestTo)
-                .filter(cell -> roomy[cell])
-                .toArray();
+        if (reach(map, clearance) == reach(map, passage)) { // as mostly, and then all of them have room
+            cells = Arrays.copyOfRange(found, largestFrom, largestTo);
+        } else {
+            boolean[] roomy = open(map, reach(map, clearance));
+            cells = Arrays.stream(found, largestFrom, largestTo)
+                    .filter(cell -> roomy[cell])
+                    .toArray();
+        }
     }
 
     /// How many cells around a cell must be free; free spaces of equal reach are equal.
@@ -104,20 +108,29 @@ public final class FreeSpace {
     ///
     /// @return the new end
     private static int collectPart(OccupancyGrid map, int first, boolean[] open, int[] found, int from) {
+        int width = map.width();
+        int last = open.length - width;
         int end = from;
         open[first] = false;
         found[end++] = first;
         for (int next = from; next < end; next++) {
-            int column = found[next] % map.width();
-            int row = found[next] / map.width();
-            for (int side = 0; side < 4; side++) {
-                int toColumn = column + (side == 0 ? 1 : side == 1 ? -1 : 0);
-                int toRow = row + (side == 2 ? 1 : side == 3 ? -1 : 0);
-                int neighbor = toRow * map.width() + toColumn;
-                if (map.contains(toColumn, toRow) && open[neighbor]) {
-                    open[neighbor] = false;
-                    found[end++] = neighbor;
-                }
+            int cell = found[next];
+            int column = cell % width;
+            if (column + 1 < width && open[cell + 1]) {
+                open[cell + 1] = false;
+                found[end++] = cell + 1;
+            }
+            if (column > 0 && open[cell - 1]) {
+                open[cell - 1] = false;
+                found[end++] = cell - 1;
+            }
+            if (cell < last && open[cell + width]) {
+                open[cell + width] = false;
+                found[end++] = cell + width;
+            }
+            if (cell >= width && open[cell - width]) {
+                open[cell - width] = false;
+                found[end++] = cell - width;
             }
         }
         return end;

@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.PriorityQueue;
 import java.util.Queue;
@@ -24,9 +23,7 @@ import org.jspecify.annotations.Nullable;
 /// the beginning of the next advance, before time moves; those that the run's own thread hands in run at the same
 /// instant, after the task that did.
 public final class LockstepScheduler implements Scheduler {
-    private final PriorityQueue<Entry> due = new PriorityQueue<>(Comparator.<Entry>comparingLong(e -> e.nanos)
-            .thenComparing(e -> e.phase)
-            .thenComparingLong(e -> e.order));
+    private final PriorityQueue<Entry> due = new PriorityQueue<>();
     private final Queue<Runnable> fromOutside = new ConcurrentLinkedQueue<>();
     private final ArrayDeque<Runnable> next = new ArrayDeque<>();
     private final List<FutureTask<Runnable>> work = new ArrayList<>();
@@ -240,7 +237,7 @@ public final class LockstepScheduler implements Scheduler {
         return entry;
     }
 
-    private static final class Entry implements Task {
+    private static final class Entry implements Task, Comparable<Entry> {
         private final Phase phase;
         private final long step;
         private final Runnable task;
@@ -258,6 +255,17 @@ public final class LockstepScheduler implements Scheduler {
         @Override
         public void cancel() {
             cancelled = true;
+        }
+
+        /// By time, then phase, then the order in which they were scheduled. As most of a run's tasks are due at the
+        /// same
+        /// times, it is asked often.
+        @Override
+        public int compareTo(Entry other) {
+            if (nanos != other.nanos) {
+                return Long.compare(nanos, other.nanos);
+            }
+            return phase == other.phase ? Long.compare(order, other.order) : phase.compareTo(other.phase);
         }
     }
 }

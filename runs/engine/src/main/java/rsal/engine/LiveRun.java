@@ -1,5 +1,6 @@
 package rsal.engine;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -96,7 +97,18 @@ public final class LiveRun implements AutoCloseable {
         loop.stop();
     }
 
-    /// The newest there is. Asking for it asks for a newer one, too.
+    /// Simulated time since the run's start; zero before its robots are there. Unlike [#snapshot] it costs nothing.
+    public Duration elapsed() {
+        return loop.elapsed();
+    }
+
+    /// Whether time stands still. Unlike [#snapshot] it costs nothing.
+    public boolean isPaused() {
+        return loop.pausing().isPaused();
+    }
+
+    /// The newest there is. Asking for it asks for a newer one, too, of all robots and agents: those that ask again
+    /// and again slow the run down.
     public Snapshot snapshot() {
         loop.snapshots().want();
         loop.wake();

@@ -13,7 +13,7 @@ final class Pausing {
     private final boolean isPossible;
     private final InstantSource clock;
     private final Runnable onResume;
-    private boolean paused;
+    private volatile boolean paused;
     private boolean isWithinStep;
     private boolean isRest; // what is left of the step under way, before those that are wanted
     private CompletableFuture<Void> standing = new CompletableFuture<>(); // when it is next paused between two steps
@@ -44,6 +44,7 @@ final class Pausing {
         return isPossible;
     }
 
+    /// Any thread may ask.
     boolean isPaused() {
         return paused;
     }

@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import rsal.agent.bdi.Mind;
 import rsal.agent.platform.AgentTurns;
 import rsal.data.Pose2d;
@@ -149,15 +151,17 @@ final class RunAssembly implements AutoCloseable {
 
     private void assemble(List<Robot> found) {
         clock.start();
+        Map<String, Robot> byId = // the first of each id
+                found.stream().collect(Collectors.toMap(Robot::id, Function.identity(), (first, _) -> first));
         for (PlannedRobot planned : plan.robots()) {
             String id = planned.spec().id();
-            found.stream()
-                    .filter(robot -> robot.id().equals(id))
-                    .findFirst()
-                    .ifPresentOrElse(robot -> equip(robot, planned), () -> {
-                        faults.await(id);
-                        eventLog.event("run", id, "is not there yet; it joins when it is found");
-                    });
+            Robot robot = byId.get(id);
+            if (robot != null) {
+                equip(robot, planned);
+            } else {
+                faults.await(id);
+                eventLog.event("run", id, "is not there yet; it joins when it is found");
+            }
         }
         world.begin();
         recorder.ifPresent(

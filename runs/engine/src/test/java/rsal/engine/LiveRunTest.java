@@ -184,6 +184,8 @@ class LiveRunTest {
             Snapshot second = snapshots.take();
             assertThat(second.sequence()).isGreaterThan(first.sequence());
             assertThat(second.time()).isEqualTo(first.time());
+            assertThat(run.isPaused()).isTrue();
+            assertThat(run.elapsed()).isEqualTo(first.time());
         }
     }
 

@@ -17,6 +17,7 @@ import rsal.bench.navigation.PlanningBench;
 import rsal.bench.navigation.TightBench;
 import rsal.bench.page.PageBench;
 import rsal.bench.robots.RemoteBench;
+import rsal.bench.robots.RunBench;
 import rsal.bench.robots.SwarmBench;
 import rsal.bench.rtps.DiscoveryBench;
 import rsal.bench.rtps.JoinBench;
@@ -71,6 +72,7 @@ public record Area(String name, List<Bench> benches) {
     public static List<Area> all() {
         return List.of(
                 new Area("sim", List.of(new SwarmBench())),
+                new Area("run", List.of(new RunBench())),
                 new Area("mas", List.of(new HostBench(), new OverheadBench(), new WrittenBench())),
                 new Area("player", List.of(RemoteBench.player())),
                 new Area(

@@ -11,7 +11,6 @@ import java.util.concurrent.TimeoutException;
 import rsal.engine.LiveRun;
 import rsal.engine.report.RunEvent;
 import rsal.engine.report.RunResult;
-import rsal.engine.report.Snapshot;
 import rsal.scenario.RunPlan;
 import rsal.time.AllowedToReadWallClock;
 
@@ -31,6 +30,7 @@ public final class Progress {
     private final boolean terminal = Terminal.showsProgress();
     private final LifeSigns signs = new LifeSigns();
     private final HealthLines health = new HealthLines();
+    private final RunRate rate = new RunRate();
     private long began;
     private long lastEvent;
 
@@ -82,14 +82,15 @@ public final class Progress {
                 print(event);
             }
         }
-        Snapshot now = run.snapshot(); // asks for the next, too: so this one is of the last time
-        health.due(now.time()).forEach(this::print);
+        Duration now = run.elapsed(); // rather than a snapshot of all robots, of which nothing is shown here
+        health.due(now).forEach(this::print);
+        rate.reach(now, System.nanoTime(), run.isPaused());
         boolean isReal = run.plan().clock() == RunPlan.Clock.WALL;
         if (terminal) {
-            err.print(CLEAR_LINE + line(now, isReal));
+            err.print(CLEAR_LINE + line(now, run.isPaused(), rate.value(), isReal));
             err.flush();
-        } else if (signs.isDue(System.nanoTime() - began, now.paused())) {
-            err.println(line(now, isReal));
+        } else if (signs.isDue(System.nanoTime() - began, run.isPaused())) {
+            err.println(line(now, run.isPaused(), rate.value(), isReal));
         }
     }
 
@@ -106,15 +107,17 @@ public final class Progress {
         err.println(line(event));
     }
 
+    /// @param now simulated time since the run's start
+    /// @param rate simulated over real time
     /// @param isReal whether the robots of the run must be found first, while its time stands at 0
-    static String line(Snapshot now, boolean isReal) {
-        if (isReal && now.time().isZero() && now.robots().isEmpty()) {
+    static String line(Duration now, boolean paused, double rate, boolean isReal) {
+        if (isReal && now.isZero()) {
             return "           waiting for robots";
         }
-        if (now.paused()) {
-            return String.format(Locale.ROOT, "%8.1f s  paused", seconds(now.time()));
+        if (paused) {
+            return String.format(Locale.ROOT, "%8.1f s  paused", seconds(now));
         }
-        return String.format(Locale.ROOT, "%8.1f s  running at %s × real time", seconds(now.time()), rate(now.rate()));
+        return String.format(Locale.ROOT, "%8.1f s  running at %s × real time", seconds(now), rate(rate));
     }
 
     /// In two or three digits: `0.94`, `33.8`, `1,250`.

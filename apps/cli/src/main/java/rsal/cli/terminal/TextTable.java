@@ -24,22 +24,26 @@ public final class TextTable {
 
     @Override
     public String toString() {
-        return rows.stream().map(this::line).collect(Collectors.joining());
+        int[] widths = widths();
+        return rows.stream().map(row -> line(row, widths)).collect(Collectors.joining());
     }
 
-    private String line(List<String> row) {
+    private String line(List<String> row, int[] widths) {
         var line = new StringBuilder(indent);
         for (int i = 0; i < row.size(); i++) {
-            line.append(row.get(i)).repeat(' ', width(i) - row.get(i).length()).append("   ");
+            line.append(row.get(i)).repeat(' ', widths[i] - row.get(i).length()).append("   ");
         }
         return line.toString().stripTrailing() + "\n";
     }
 
-    private int width(int column) {
-        return rows.stream()
-                .filter(row -> row.size() > column)
-                .mapToInt(row -> row.get(column).length())
-                .max()
-                .orElse(0);
+    /// Of all columns.
+    private int[] widths() {
+        int[] widths = new int[rows.stream().mapToInt(List::size).max().orElse(0)];
+        for (List<String> row : rows) {
+            for (int i = 0; i < row.size(); i++) {
+                widths[i] = Math.max(widths[i], row.get(i).length());
+            }
+        }
+        return widths;
     }
 }

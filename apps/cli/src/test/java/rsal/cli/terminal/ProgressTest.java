@@ -3,12 +3,9 @@ package rsal.cli.terminal;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
-import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import rsal.engine.report.Answer;
 import rsal.engine.report.RunEvent;
-import rsal.engine.report.Snapshot;
 
 class ProgressTest {
     @Test
@@ -31,33 +28,14 @@ class ProgressTest {
 
     @Test
     void aRunThatStandsStillIsCalledPaused() {
-        assertThat(Progress.line(at(true), false)).isEqualTo("    12.3 s  paused");
-        assertThat(Progress.line(at(false), true)).isEqualTo("    12.3 s  running at 1.50 × real time");
+        var time = Duration.ofMillis(12_340);
+        assertThat(Progress.line(time, true, 0, false)).isEqualTo("    12.3 s  paused");
+        assertThat(Progress.line(time, false, 1.5, true)).isEqualTo("    12.3 s  running at 1.50 × real time");
     }
 
     @Test
     void aRunThatHasNotFoundItsRobotsSaysSo() {
-        assertThat(Progress.line(at(Duration.ZERO, false), true)).isEqualTo("           waiting for robots");
-    }
-
-    private static Snapshot at(boolean paused) {
-        return at(Duration.ofMillis(12_340), paused);
-    }
-
-    private static Snapshot at(Duration time, boolean paused) {
-        return new Snapshot(
-                1,
-                time,
-                paused,
-                false,
-                1,
-                1.5,
-                Optional.empty(),
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                Answer.Linked.NONE);
+        assertThat(Progress.line(Duration.ZERO, false, 0, true)).isEqualTo("           waiting for robots");
     }
 
     private static RunEvent event(String kind, String text) {

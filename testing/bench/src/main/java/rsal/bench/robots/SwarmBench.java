@@ -111,6 +111,16 @@ public final class SwarmBench implements Bench {
         }
     }
 
+    /// Seconds simulated per second of a processor, on one core.
+    static double simulatedPerProcessorSecond(Kind kind, int robots) {
+        try (var swarm = new WanderingRobots(Cave.draw(SIDE, RESOLUTION, SEED), kind, robots, SEED, Runnable::run)) {
+            double seconds = warmUp(swarm);
+            var watch = new Stopwatch();
+            swarm.advance(seconds);
+            return seconds / watch.cpu();
+        }
+    }
+
     /// Lets the machine learn the code.
     ///
     /// @return how much to simulate for a measurement that takes long enough [s]
