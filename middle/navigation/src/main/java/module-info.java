@@ -18,6 +18,7 @@ module rsal.navigation {
     exports rsal.navigation.parameter;
     exports rsal.navigation.recovery;
     exports rsal.navigation.replay;
+    exports rsal.navigation.rooms;
     exports rsal.navigation.scanmatch;
     exports rsal.navigation.slam;
     exports rsal.navigation.snd;

@@ -9,6 +9,7 @@ import rsal.data.Pose2d;
 import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.PlaceFinder;
+import rsal.device.PlaceObjective;
 
 /// Notes each question and finds what the test says.
 public final class FakePlaces extends DeviceCore implements PlaceFinder {
@@ -20,8 +21,9 @@ public final class FakePlaces extends DeviceCore implements PlaceFinder {
     }
 
     @Override
-    public CompletionStage<Result> find(Pose2d mapFromStart, int count, double clearance) {
-        asked.add("%d from %s, %s".formatted(count, AgentWords.place(mapFromStart), AgentWords.distance(clearance)));
+    public CompletionStage<Result> find(Pose2d mapFromStart, int count, double clearance, PlaceObjective objective) {
+        String what = "%d from %s, %s".formatted(count, AgentWords.place(mapFromStart), AgentWords.distance(clearance));
+        asked.add(objective == PlaceObjective.EVENLY ? what : what + ", " + objective.key());
         return CompletableFuture.completedFuture(result);
     }
 }

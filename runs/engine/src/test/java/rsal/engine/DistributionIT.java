@@ -20,6 +20,8 @@ import rsal.testkit.Trials;
 class DistributionIT {
     private static final Scenario DISTRIBUTION = Scenario.load("distribution");
     private static final int ROBOTS = 6;
+    private static final double CORRIDOR_BOTTOM = -2.4; // m, of the office floor, all along it
+    private static final double CORRIDOR_TOP = 0.4;
 
     /// @param ends where the robots were at the end, by id
     private record Dispersal(RunResult result, List<RunEvent> events, Map<String, Point2d> ends) {
@@ -60,6 +62,13 @@ class DistributionIT {
         assertThat(dispersal.metric("arrived")).isEqualTo(ROBOTS);
         assertThat(dispersal.metric("collisions")).isZero();
         assertFarFromEachOther(dispersal, 4);
+    }
+
+    @Trials({"found, 1", "found, 2", "found, 3"})
+    @LongTest
+    void eachRobotStandsInARoom(String configuration, long seed) {
+        assertThat(disperse(configuration, seed).ends.values())
+                .noneMatch(place -> place.y() > CORRIDOR_BOTTOM && place.y() < CORRIDOR_TOP);
     }
 
     @Trials({"1", "2", "3"})

@@ -50,6 +50,7 @@ final class Deployment {
     private final boolean areGiven;
     private final int count;
     private final double clearance;
+    private final String objective;
     private final PlaceQuest quest;
     private List<Pose2d> mapFromPlaces;
     private final Duration interval;
@@ -72,6 +73,7 @@ final class Deployment {
         this.areGiven = !mapFromPlaces.isEmpty();
         this.count = arguments.get(DeploymentAgent.COUNT);
         this.clearance = arguments.get(PlaceQuest.CLEARANCE);
+        this.objective = arguments.get(DeploymentAgent.OBJECTIVE);
         this.quest = new PlaceQuest(self, this::spreadOver);
         this.interval = arguments.seconds(DeploymentAgent.ALLOCATION_INTERVAL);
         Duration ping = arguments.seconds(DeploymentAgent.PING_INTERVAL);
@@ -132,7 +134,7 @@ final class Deployment {
             self.state("waiting for robots");
             return false;
         }
-        quest.want(new Wanted(wanted, clearance), List.copyOf(agents));
+        quest.want(new Wanted(wanted, clearance, objective), List.copyOf(agents));
         return quest.isFound();
     }
 

@@ -6,6 +6,7 @@ import rsal.agent.message.NewGoal;
 import rsal.agents.driving.PlaceQuest;
 import rsal.agents.parts.AgentTypeBase;
 import rsal.data.Point2d;
+import rsal.device.PlaceObjective;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
@@ -20,6 +21,13 @@ public final class DeploymentAgent extends AgentTypeBase {
                     + " 'places' finds them.");
     static final Parameter<Integer> COUNT =
             Parameter.integer("count", 0, 0, 10_000, "", "Number of places to find; 0: the number of robots.");
+    static final Parameter<String> OBJECTIVE = Parameter.choice(
+            "objective",
+            PlaceObjective.ROOMS.key(),
+            PlaceObjective.keys(),
+            "What makes places that are found good. rooms: one in each room; then far apart, then near to everything."
+                    + " apart: the least distance between two is large. near: the greatest distance to the nearest is"
+                    + " small. evenly: the mean square of that distance is small. view: they see much of the floor.");
     static final Parameter<Double> PING_INTERVAL = Parameter.number(
             "pingInterval",
             30,
@@ -40,7 +48,7 @@ public final class DeploymentAgent extends AgentTypeBase {
         super(
                 "deployment",
                 "Keeps a team distributed over places, each robot at a near one.",
-                List.of(ROBOTS, PLACES, COUNT, PlaceQuest.CLEARANCE, PING_INTERVAL, ALLOCATION_INTERVAL),
+                List.of(ROBOTS, PLACES, COUNT, OBJECTIVE, PlaceQuest.CLEARANCE, PING_INTERVAL, ALLOCATION_INTERVAL),
                 List.of());
     }
 

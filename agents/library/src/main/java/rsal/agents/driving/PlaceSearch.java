@@ -11,6 +11,7 @@ import rsal.agents.parts.PoseReporter;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.PlaceFinder;
+import rsal.device.PlaceObjective;
 import rsal.robot.Robot;
 
 /// Finds places that a robot can get to, for others who ask, by the robot's place finder. Asking moves nothing.
@@ -51,7 +52,8 @@ public final class PlaceSearch {
         }
         asked.agree(); // it may take longer than somebody waits for an answer
         Wanted wanted = asked.what();
-        finder.find(mapFromBase.get(), wanted.count(), wanted.clearance())
+        PlaceObjective objective = PlaceObjective.of(wanted.objective()).orElse(PlaceObjective.EVENLY);
+        finder.find(mapFromBase.get(), wanted.count(), wanted.clearance(), objective)
                 .whenComplete((result, error) -> self.scheduler().execute(() -> {
                     switch (result) {
                         case PlaceFinder.Result.Found(List<Point2d> places) -> asked.inform(new Found(places));
@@ -62,10 +64,17 @@ public final class PlaceSearch {
     }
 
     /// @param clearance to all that is not free [m]
-    public record Wanted(int count, double clearance) {
+    /// @param objective one of [PlaceObjective#keys]
+    public record Wanted(int count, double clearance, String objective) {
+        /// Evenly distributed places.
+        public Wanted(int count, double clearance) {
+            this(count, clearance, PlaceObjective.EVENLY.key());
+        }
+
         @Override
         public String toString() {
-            return "%d with %s of clearance".formatted(count, AgentWords.distance(clearance));
+            String what = "%d with %s of clearance".formatted(count, AgentWords.distance(clearance));
+            return objective.equals(PlaceObjective.EVENLY.key()) ? what : what + ", objective " + objective;
         }
     }
 

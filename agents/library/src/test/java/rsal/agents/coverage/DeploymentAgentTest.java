@@ -133,7 +133,7 @@ class DeploymentAgentTest {
         a.places.result = found(new Point2d(9, 0), new Point2d(1, 0));
         dispersion("");
         scene.advance(4);
-        assertThat(a.places.asked).containsExactly("2 from (0.0, 0.0), 0.4 m");
+        assertThat(a.places.asked).containsExactly("2 from (0.0, 0.0), 0.4 m, rooms");
         assertThat(sent()).isEqualTo(Map.of("a", new Point2d(1, 0), "b", new Point2d(9, 0)));
     }
 

@@ -20,6 +20,7 @@ import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.Unreachable;
 import rsal.map.Maps;
 import rsal.model.RobotModels;
+import rsal.navigation.rooms.RoomMap;
 import rsal.recording.Recording;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
@@ -53,8 +54,26 @@ public final class ShowCommand extends Subcommand {
             description = "File for the image of a world or a map. Default: its name with .png, in this folder.")
     private @Nullable Path image;
 
+    @Option(
+            names = "--rooms",
+            description = "Divide a map into rooms, corridors and closets: list them with the gates between them, and"
+                    + " draw them.")
+    private boolean rooms;
+
+    @Option(
+            names = "--places",
+            paramLabel = "N",
+            description =
+                    "With --rooms: choose places for 1 to 128 robots by each objective, compare them, and draw those"
+                            + " of the objective 'rooms'.")
+    private @Nullable Integer places;
+
     @Override
     protected int run() throws IOException {
+        if (rooms) {
+            showRooms();
+            return Exit.SUCCESS;
+        }
         if (Scenario.isWorld(name)) {
             showWorld();
             return Exit.SUCCESS;
@@ -128,13 +147,49 @@ public final class ShowCommand extends Subcommand {
         }
     }
 
+    private void showRooms() {
+        if (!Maps.builtIn().contains(name) && !FileKind.of(name).equals(Optional.of(FileKind.MAP))) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "Only maps have rooms: ROS's YAML, or one of %s.".formatted(String.join(", ", Maps.builtIn())));
+        }
+        RoomMap found = RoomMap.of(ShownMap.find(name).grid());
+        Optional<ShownPlaces> chosen = Optional.ofNullable(places).map(number -> places(found, number));
+        Path drawn = write(
+                () -> RoomPicture.png(found, chosen.map(ShownPlaces::roomPlaces).orElse(List.of())));
+        var shown = ShownRooms.of(name, found, chosen, drawn.toString());
+        show(shown, shown.text());
+        if (!json) {
+            out().println("\nDrawn to " + drawn);
+            out().flush();
+        }
+    }
+
+    private ShownPlaces places(RoomMap found, int number) {
+        try {
+            return ShownPlaces.of(found, number);
+        } catch (IllegalArgumentException e) { // what cannot be: each says why
+            throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
+        }
+    }
+
+    /// What makes a picture.
+    private interface Drawing {
+        byte[] png() throws IOException;
+    }
+
     /// @return where it was drawn
     private Path draw(Scene scene) {
+        return write(() -> WorldPicture.of(scene, PICTURE));
+    }
+
+    /// @return where it was written
+    private Path write(Drawing drawing) {
         String file = new File(name).getName().replace(':', '-'); // which Windows forbids in names
         Path drawn = image != null ? image : Path.of(file + ".png");
         try {
             System.setProperty("java.awt.headless", "true"); // a server has no screen
-            Files.write(drawn, WorldPicture.of(scene, PICTURE));
+            Files.write(drawn, drawing.png());
             return drawn;
         } catch (IOException e) {
             throw new Unreachable("The picture '%s' can't be written: %s.".formatted(drawn, e));

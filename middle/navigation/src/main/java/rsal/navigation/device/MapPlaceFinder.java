@@ -8,8 +8,10 @@ import rsal.data.Pose2d;
 import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.PlaceFinder;
+import rsal.device.PlaceObjective;
 import rsal.navigation.spread.ReachableSpace;
 import rsal.navigation.spread.Spreader;
+import rsal.navigation.spread.TeamPlaces;
 import rsal.time.Scheduler;
 
 /// Spreads places over the run's map, on the scheduler's threads for what takes long. Each question begins the same
@@ -24,6 +26,16 @@ final class MapPlaceFinder extends DeviceCore implements PlaceFinder {
 
         private final ComputedOnce<Ground, ReachableSpace> grounds = new ComputedOnce<>();
         private final ComputedOnce<Places, Spreader> spreaders = new ComputedOnce<>();
+        private final ComputedOnce<ReachableSpace, TeamPlaces> choices = new ComputedOnce<>();
+
+        /// @throws IllegalArgumentException when there is no place with so much clearance
+        private TeamPlaces choices(OccupancyGrid map, double clearance, Point2d start) {
+            ReachableSpace ground =
+                    grounds.of(new Ground(map, clearance), _ -> ReachableSpace.around(map, clearance, start));
+            return ground.contains(start)
+                    ? choices.of(ground, TeamPlaces::new)
+                    : new TeamPlaces(ReachableSpace.around(map, clearance, start));
+        }
 
         /// @throws IllegalArgumentException when there is no room for so many
         private Spreader spreader(OccupancyGrid map, double clearance, Point2d start, int count) {
@@ -49,15 +61,18 @@ final class MapPlaceFinder extends DeviceCore implements PlaceFinder {
     }
 
     @Override
-    public CompletionStage<Result> find(Pose2d mapFromStart, int count, double clearance) {
-        return scheduler.compute(() -> places(mapFromStart.position(), count, clearance));
+    public CompletionStage<Result> find(Pose2d mapFromStart, int count, double clearance, PlaceObjective objective) {
+        return scheduler.compute(() -> places(mapFromStart.position(), count, clearance, objective));
     }
 
-    private Result places(Point2d start, int count, double clearance) {
+    private Result places(Point2d start, int count, double clearance, PlaceObjective objective) {
         if (!Double.isFinite(start.x()) || !Double.isFinite(start.y())) {
             return new Result.None("The start (%s, %s) is no place.".formatted(start.x(), start.y()));
         }
         try {
+            if (objective != PlaceObjective.EVENLY) {
+                return new Result.Found(kept.choices(map, clearance, start).choose(count, objective));
+            }
             Spreader spreader = kept.spreader(map, clearance, start, count);
             return new Result.Found(
                     spreader.spread(new SplittableRandom(seed), _ -> {}).places());

@@ -6,7 +6,8 @@ import rsal.device.PlaceFinder;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
 
-/// Makes place finders that spread places over the run's map ([rsal.navigation.spread.Spreader]).
+/// Makes place finders that spread places over the run's map ([rsal.navigation.spread.Spreader]), or choose
+/// them by another objective ([rsal.navigation.spread.TeamPlaces]).
 public final class PlacesDriver implements DeviceDriver {
     private final MapPlaceFinder.Kept kept = new MapPlaceFinder.Kept();
 
@@ -17,7 +18,7 @@ public final class PlacesDriver implements DeviceDriver {
 
     @Override
     public String description() {
-        return "Finds places that are evenly distributed over the map, and that robots can reach.";
+        return "Finds places for a team, by an objective, that robots can reach.";
     }
 
     @Override

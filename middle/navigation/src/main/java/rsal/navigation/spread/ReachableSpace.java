@@ -177,6 +177,18 @@ public final class ReachableSpace {
         return new Evenness(sum / cells.length, Math.sqrt(squares / cells.length), greatest);
     }
 
+    /// Length of the shortest path between two of some places on it [m]; infinite for fewer than two.
+    double least(List<Point2d> places) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 1; i < places.size(); i++) {
+            NavigationFunction before = new Wavefront(parts.open())
+                    .everywhere(places.subList(0, i), 0)
+                    .orElseThrow();
+            least = Math.min(least, before.cost(places.get(i)));
+        }
+        return least;
+    }
+
     /// Looks at places that somebody gave: which of them are not on it, and why. From each of the others a robot can
     /// get to each.
     ///

@@ -4,10 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.PlaceFinder;
+import rsal.device.PlaceObjective;
 
 /// What every [PlaceFinder] owes.
 public abstract class PlaceFinderContract extends DeviceContract<PlaceFinder> {
@@ -17,10 +20,13 @@ public abstract class PlaceFinderContract extends DeviceContract<PlaceFinder> {
         super(PlaceFinder.class);
     }
 
-    @Test
-    void findsAsManyPlacesAsAreAskedForThatKeepClearOfWallsAndOfEachOther() {
+    @ParameterizedTest
+    @EnumSource(PlaceObjective.class)
+    void findsAsManyPlacesAsAreAskedForThatKeepClearOfWallsAndOfEachOther(PlaceObjective objective) {
         for (int count : new int[] {1, 2, 7}) {
-            List<Point2d> places = places(START, count);
+            PlaceFinder.Result result = await(device().find(START, count, CLEARANCE, objective));
+            assertThat(result).isInstanceOf(PlaceFinder.Result.Found.class);
+            List<Point2d> places = ((PlaceFinder.Result.Found) result).mapFromPlaces();
             assertThat(places).hasSize(count);
             for (int i = 0; i < count; i++) {
                 assertThat(room(places.get(i))).as("%s", places.get(i)).isGreaterThanOrEqualTo(CLEARANCE);

@@ -14,11 +14,12 @@ import rsal.device.Device;
 import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.PlaceFinder;
+import rsal.device.PlaceObjective;
 import rsal.robot.DeviceDriver;
 import rsal.settings.Arguments;
 import rsal.time.Scheduler;
 
-/// Takes places each as far as can be, as the crow flies, from those before.
+/// Takes places each as far as can be, as the crow flies, from those before, whatever the objective is.
 public final class FakePlaceFinder extends DeviceCore implements PlaceFinder {
     private final OccupancyGrid map;
     private final Scheduler scheduler;
@@ -30,7 +31,7 @@ public final class FakePlaceFinder extends DeviceCore implements PlaceFinder {
     }
 
     @Override
-    public CompletionStage<Result> find(Pose2d mapFromStart, int count, double clearance) {
+    public CompletionStage<Result> find(Pose2d mapFromStart, int count, double clearance, PlaceObjective objective) {
         var result = new CompletableFuture<Result>();
         scheduler.execute(() -> result.complete(farApart(mapFromStart.position(), count, clearance)));
         return result;
