@@ -1,0 +1,209 @@
+package rsal.agents.patrol.strategy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeMap;
+import java.util.function.BiFunction;
+import org.jspecify.annotations.Nullable;
+import rsal.agent.team.Assignment;
+
+/// Follows one tour of a plan that all members of the team find alike. Members take their starts on the tours
+/// so that the longest path to one is short, and report which start they have taken; when two have taken the
+/// same one, the one with the lower number keeps it. When the number of members changes, all plan again.
+final class TourFollower implements PatrolStrategy {
+    private static final double JUST_VISITED = 0.15; // of the time between two visits
+    private static final double LATE = 1.15; // times the longest time between visits
+
+    private final BiFunction<PatrolGraph, Integer, PatrolPlan> planner;
+    private final double spacing;
+    private final boolean helps;
+    private @Nullable PatrolPlan plan;
+    private List<int[]> slots = List.of();
+    private int members;
+    private int slot = PatrolView.NONE;
+    private int position = PatrolView.NONE;
+    private int direction = 1;
+    private boolean helping;
+
+    /// @param planner of the places and the number of members
+    /// @param spacing on a shared tour, the share of the time between two visits before which it does not
+    /// follow; 0 when it never waits
+    /// @param helps whether it visits a place of another tour that is overdue, when its own places can wait
+    TourFollower(BiFunction<PatrolGraph, Integer, PatrolPlan> planner, double spacing, boolean helps) {
+        this.planner = planner;
+        this.spacing = spacing;
+        this.helps = helps;
+    }
+
+    /// How many members it plans for, and which start it has taken.
+    @Override
+    public int[] note() {
+        return new int[] {members, slot};
+    }
+
+    @Override
+    public int next(PatrolView view) {
+        PatrolPlan tours = plan;
+        if (tours == null || members != view.members()) {
+            tours = planner.apply(view.graph(), view.members());
+            plan = tours;
+            slots = tours.slots();
+            members = view.members();
+            slot = PatrolView.NONE;
+        }
+        if (slot == PatrolView.NONE || isTaken(view, slot, view.self())) {
+            slot = free(view, tours);
+            position = PatrolView.NONE;
+        }
+        int tour = slots.get(slot)[0];
+        int[] places = tours.places(tour);
+        if (position == PatrolView.NONE) {
+            enter(view, tours, tour);
+            return places[position];
+        }
+        int following = following(view, tours, tour);
+        int next = places[following];
+        double gap = tours.gap(tour);
+        boolean shared = tours.robots(tour) > 1;
+        if (shared && view.idle(next) + view.lengthTo(next) / view.graph().speed() < spacing * gap) {
+            return view.here(); // too close to the one ahead
+        }
+        if (helps && !helping) {
+            int late = late(view, tours, tour, next);
+            if (late != PatrolView.NONE) {
+                helping = true;
+                return late;
+            }
+        }
+        helping = false;
+        position = following;
+        return next;
+    }
+
+    /// The next position on the tour, without those that somebody has just passed.
+    private int following(PatrolView view, PatrolPlan tours, int tour) {
+        int[] places = tours.places(tour);
+        int following = position;
+        for (int i = 0; i < places.length; i++) {
+            following = Math.floorMod(following + direction, places.length);
+            if (view.idle(places[following]) > JUST_VISITED * tours.gap(tour)) {
+                return following;
+            }
+        }
+        return Math.floorMod(position + direction, places.length);
+    }
+
+    /// On a tour of its own it begins where it is near, or nobody was for long, in the direction in which
+    /// places are idle for longer; on a shared one at its start.
+    private void enter(PatrolView view, PatrolPlan tours, int tour) {
+        int[] places = tours.places(tour);
+        direction = 1;
+        if (tours.robots(tour) > 1) {
+            position = slots.get(slot)[1];
+            return;
+        }
+        double least = Double.POSITIVE_INFINITY;
+        position = 0;
+        for (int i = 0; i < places.length; i++) {
+            double cost = view.lengthTo(places[i]) / view.graph().speed() - view.idle(places[i]) / 2;
+            if (cost < least) {
+                least = cost;
+                position = i;
+            }
+        }
+        double ahead = view.idle(places[(position + 1) % places.length]);
+        double behind = view.idle(places[Math.floorMod(position - 1, places.length)]);
+        direction = behind > ahead ? -1 : 1;
+    }
+
+    /// Whether another one has the start, and keeps it.
+    private boolean isTaken(PatrolView view, int start, int below) {
+        for (int member = 0; member < below; member++) {
+            if (member != view.self() && hasTaken(view, member, start)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean hasTaken(PatrolView view, int member, int start) {
+        int[] note = view.note(member);
+        return note.length == 2 && note[0] == members && note[1] == start;
+    }
+
+    /// A start that nobody has taken, such that the longest of the paths that the members have to the free ones
+    /// is short.
+    private int free(PatrolView view, PatrolPlan tours) {
+        var open = new ArrayList<Integer>();
+        for (int start = 0; start < slots.size(); start++) {
+            if (!isTaken(view, start, members)) {
+                open.add(start);
+            }
+        }
+        var costs = new TreeMap<String, double[]>();
+        for (int member = 0; member < members; member++) {
+            if (member == view.self() || !hasAny(view, member)) {
+                var row = new double[open.size()];
+                for (int i = 0; i < row.length; i++) {
+                    row[i] = pathTo(view, tours, member, slots.get(open.get(i)));
+                }
+                costs.put(name(member), row);
+            }
+        }
+        Integer chosen = open.isEmpty() ? null : Assignment.even(costs).get(name(view.self()));
+        return chosen == null ? view.self() % slots.size() : open.get(chosen);
+    }
+
+    private boolean hasAny(PatrolView view, int member) {
+        int[] note = view.note(member);
+        return note.length == 2 && note[0] == members && note[1] >= 0;
+    }
+
+    private static String name(int member) {
+        return "%04d".formatted(member);
+    }
+
+    /// How far a member has to drive to a start [m]; on a tour of its own, to the nearest of its places.
+    private static double pathTo(PatrolView view, PatrolPlan tours, int member, int[] start) {
+        int[] places = tours.places(start[0]);
+        if (tours.robots(start[0]) > 1) {
+            return path(view, member, places[start[1]]);
+        }
+        double least = Double.POSITIVE_INFINITY;
+        for (int place : places) {
+            least = Math.min(least, path(view, member, place));
+        }
+        return least;
+    }
+
+    private static double path(PatrolView view, int member, int place) {
+        if (member == view.self()) {
+            return view.lengthTo(place);
+        }
+        int from = view.next(member) == PatrolView.NONE ? view.at(member) : view.next(member);
+        return from == PatrolView.NONE ? 0 : view.graph().length(from, place);
+    }
+
+    /// The place of another tour that is most overdue, that nobody goes to, and after which the own next place
+    /// is still visited in time.
+    private static int late(PatrolView view, PatrolPlan tours, int tour, int next) {
+        double speed = view.graph().speed();
+        double stop = view.graph().stop();
+        double worst = tours.worst();
+        int best = PatrolView.NONE;
+        double most = 0;
+        for (int place = 0; place < view.graph().size(); place++) {
+            if (tours.tourOf(place) == tour || view.intended(place) > 0) {
+                continue;
+            }
+            double there = view.lengthTo(place) / speed + stop;
+            double lateness = view.idle(place) + there - LATE * worst;
+            double back = there + view.graph().time(place, next);
+            if (lateness > most && view.idle(next) + back <= worst) {
+                most = lateness;
+                best = place;
+            }
+        }
+        return best;
+    }
+}
