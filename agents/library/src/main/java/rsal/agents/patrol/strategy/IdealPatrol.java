@@ -23,7 +23,8 @@ public final class IdealPatrol {
         private final PatrolView view;
         private int at;
         private int next;
-        private double arrival;
+        private int step; // the next place on the path
+        private double arrival; // there
         private double silent = Double.POSITIVE_INFINITY; // from then on it is not there
 
         Robot(PatrolStrategy strategy, PatrolView view, int at) {
@@ -31,6 +32,7 @@ public final class IdealPatrol {
             this.view = view;
             this.at = at;
             this.next = at;
+            this.step = at;
         }
     }
 
@@ -92,12 +94,17 @@ public final class IdealPatrol {
 
     private void arrive(Robot robot) {
         double now = robot.arrival;
-        robot.at = robot.next;
+        robot.at = robot.step;
         visited[robot.at] = now;
         gaps.visit(robot.at, now);
-        look(robot, now);
-        robot.next = robot.strategy.next(robot.view);
-        double time = robot.next == robot.at ? WAIT : graph.time(robot.at, robot.next);
+        if (robot.at == robot.next) {
+            look(robot, now);
+            robot.next = robot.strategy.next(robot.view);
+        }
+        robot.step = graph.firstStep(robot.at, robot.next);
+        double time = robot.next == robot.at
+                ? WAIT
+                : graph.length(robot.at, robot.step) / graph.speed() + (robot.step == robot.next ? graph.stop() : 0);
         robot.arrival = now + Math.max(time, 1e-3);
     }
 
@@ -122,8 +129,13 @@ public final class IdealPatrol {
                     member,
                     other.at,
                     goes ? other.next : PatrolView.NONE,
-                    goes ? other.arrival : Double.POSITIVE_INFINITY,
+                    goes ? arrival(other) : Double.POSITIVE_INFINITY,
                     other.strategy.note());
         }
+    }
+
+    private double arrival(Robot robot) {
+        double rest = robot.step == robot.next ? 0 : graph.time(robot.step, robot.next);
+        return robot.arrival + rest;
     }
 }

@@ -186,18 +186,14 @@ public final class PatrolGraph {
         return neighbors[place].clone();
     }
 
-    /// The neighbor of a place that comes first on the shortest path to another; the other itself when none is
-    /// known.
+    /// The neighbor of a place that comes first on the shortest path to another; the other itself when none lies on it.
     public int firstStep(int from, int to) {
-        int best = to;
-        double least = Double.POSITIVE_INFINITY;
+        double direct = length(from, to) * (1 + 1e-9);
         for (int next : neighbors[from]) {
-            double over = length(from, next) + length(next, to);
-            if (over < least - 1e-9) {
-                least = over;
-                best = next;
+            if (next != to && length(from, next) + length(next, to) <= direct && length(next, to) < length(from, to)) {
+                return next;
             }
         }
-        return best;
+        return to;
     }
 }

@@ -12,6 +12,7 @@ import rsal.agent.team.Assignment;
 /// same one, the one with the lower number keeps it. When the number of members changes, all plan again.
 final class TourFollower implements PatrolStrategy {
     private static final double JUST_VISITED = 0.15; // of the time between two visits
+    private static final int NOTE = 3; // numbers
     private static final double LATE = 1.15; // times the longest time between visits
 
     private final BiFunction<PatrolGraph, Integer, PatrolPlan> planner;
@@ -35,10 +36,10 @@ final class TourFollower implements PatrolStrategy {
         this.helps = helps;
     }
 
-    /// How many members it plans for, and which start it has taken.
+    /// How many members it plans for, which start it has taken, and to which position on its tour it goes.
     @Override
     public int[] note() {
-        return new int[] {members, slot};
+        return new int[] {members, slot, position};
     }
 
     @Override
@@ -63,13 +64,11 @@ final class TourFollower implements PatrolStrategy {
         }
         int following = following(view, tours, tour);
         int next = places[following];
-        double gap = tours.gap(tour);
-        boolean shared = tours.robots(tour) > 1;
-        if (shared && view.idle(next) + view.lengthTo(next) / view.graph().speed() < spacing * gap) {
-            return view.here(); // too close to the one ahead
+        if (spacing > 0 && tours.robots(tour) > 1 && lag(view, tours, tour) < spacing * tours.gap(tour)) {
+            return view.here();
         }
         if (helps && !helping) {
-            int late = late(view, tours, tour, next);
+            int late = late(view, tours, tour, following);
             if (late != PatrolView.NONE) {
                 helping = true;
                 return late;
@@ -78,6 +77,27 @@ final class TourFollower implements PatrolStrategy {
         helping = false;
         position = following;
         return next;
+    }
+
+    /// How far the robot is behind the next one on its tour [s].
+    private double lag(PatrolView view, PatrolPlan tours, int tour) {
+        int[] places = tours.places(tour);
+        double round = Tours.time(view.graph(), places);
+        double least = round;
+        for (int member = 0; member < members; member++) {
+            int[] note = view.note(member);
+            boolean sharesIt = member != view.self() && hasAny(view, member) && slots.get(note[1])[0] == tour;
+            if (sharesIt && note[2] >= 0 && note[2] < places.length) {
+                double rest = Math.max(0, view.arrival(member) - view.now());
+                double ahead = 0;
+                for (int i = position; i != note[2]; i = (i + 1) % places.length) {
+                    ahead += view.graph().time(places[i], places[(i + 1) % places.length]);
+                }
+                double lag = ahead - (Double.isFinite(rest) ? rest : 0);
+                least = Math.min(least, lag <= 0 && member > view.self() ? lag + round : lag);
+            }
+        }
+        return least;
     }
 
     /// The next position on the tour, without those that somebody has just passed.
@@ -128,7 +148,7 @@ final class TourFollower implements PatrolStrategy {
 
     private boolean hasTaken(PatrolView view, int member, int start) {
         int[] note = view.note(member);
-        return note.length == 2 && note[0] == members && note[1] == start;
+        return note.length == NOTE && note[0] == members && note[1] == start;
     }
 
     /// A start that nobody has taken, such that the longest of the paths that the members have to the free ones
@@ -156,7 +176,7 @@ final class TourFollower implements PatrolStrategy {
 
     private boolean hasAny(PatrolView view, int member) {
         int[] note = view.note(member);
-        return note.length == 2 && note[0] == members && note[1] >= 0;
+        return note.length == NOTE && note[0] == members && note[1] >= 0 && note[1] < slots.size();
     }
 
     private static String name(int member) {
@@ -184,9 +204,9 @@ final class TourFollower implements PatrolStrategy {
         return from == PatrolView.NONE ? 0 : view.graph().length(from, place);
     }
 
-    /// The place of another tour that is most overdue, that nobody goes to, and after which the own next place
-    /// is still visited in time.
-    private static int late(PatrolView view, PatrolPlan tours, int tour, int next) {
+    /// The place of another tour that is most overdue, that nobody goes to, and after which all places of the own tour
+    /// are still visited in time.
+    private int late(PatrolView view, PatrolPlan tours, int tour, int following) {
         double speed = view.graph().speed();
         double stop = view.graph().stop();
         double worst = tours.worst();
@@ -198,12 +218,27 @@ final class TourFollower implements PatrolStrategy {
             }
             double there = view.lengthTo(place) / speed + stop;
             double lateness = view.idle(place) + there - LATE * worst;
-            double back = there + view.graph().time(place, next);
-            if (lateness > most && view.idle(next) + back <= worst) {
+            if (lateness > most && isInTime(view, tours.places(tour), following, place, there, worst)) {
                 most = lateness;
                 best = place;
             }
         }
         return best;
+    }
+
+    /// Whether no place of the own tour is idle for longer than planned when the robot goes on with it from a place.
+    private boolean isInTime(
+            PatrolView view, int[] places, int following, int from, double departure, double worst) {
+        double time = departure;
+        int last = from;
+        for (int i = 0; i < places.length; i++) {
+            int place = places[Math.floorMod(following + direction * i, places.length)];
+            time += view.graph().time(last, place);
+            if (view.idle(place) + time > worst) {
+                return false;
+            }
+            last = place;
+        }
+        return true;
     }
 }

@@ -19,7 +19,7 @@ final class TourSearch {
     private static final double WEIGHT_OF_MEAN = 0.5;
 
     /// Share of the time between two visits that robots keep apart on a shared tour.
-    static final double SPACING = 0.85;
+    static final double SPACING = 0.95;
 
     private static final double UNEVEN = 1.1; // robots that share a tour do not stay evenly spaced
     private static final int OFFSETS = 20;
