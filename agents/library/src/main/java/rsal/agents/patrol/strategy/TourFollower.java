@@ -227,8 +227,7 @@ final class TourFollower implements PatrolStrategy {
     }
 
     /// Whether no place of the own tour is idle for longer than planned when the robot goes on with it from a place.
-    private boolean isInTime(
-            PatrolView view, int[] places, int following, int from, double departure, double worst) {
+    private boolean isInTime(PatrolView view, int[] places, int following, int from, double departure, double worst) {
         double time = departure;
         int last = from;
         for (int i = 0; i < places.length; i++) {
