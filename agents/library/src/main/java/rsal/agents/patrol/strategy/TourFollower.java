@@ -113,8 +113,9 @@ final class TourFollower implements PatrolStrategy {
         return Math.floorMod(position + direction, places.length);
     }
 
-    /// On a tour of its own it begins where it is near, or nobody was for long, in the direction in which
-    /// places are idle for longer; on a shared one at its start.
+    /// On a shared tour it begins at its start. On a tour of its own it begins at the nearest place; one that
+    /// helps begins where, and in the direction in which, places are idle for the shortest time when it gets to
+    /// them.
     private void enter(PatrolView view, PatrolPlan tours, int tour) {
         int[] places = tours.places(tour);
         direction = 1;
@@ -124,16 +125,33 @@ final class TourFollower implements PatrolStrategy {
         }
         double least = Double.POSITIVE_INFINITY;
         position = 0;
-        for (int i = 0; i < places.length; i++) {
-            double cost = view.lengthTo(places[i]) / view.graph().speed() - view.idle(places[i]) / 2;
-            if (cost < least) {
-                least = cost;
-                position = i;
+        for (int start = 0; start < places.length; start++) {
+            for (int way = 1; way >= (helps ? -1 : 1); way -= 2) {
+                double cost = helps ? idleAtArrival(view, places, start, way) : view.lengthTo(places[start]);
+                if (cost < least) {
+                    least = cost;
+                    position = start;
+                    direction = way;
+                }
             }
         }
-        double ahead = view.idle(places[(position + 1) % places.length]);
-        double behind = view.idle(places[Math.floorMod(position - 1, places.length)]);
-        direction = behind > ahead ? -1 : 1;
+    }
+
+    /// Of the places on a tour that is entered somewhere: the largest time since a visit, plus half of the mean
+    /// [s].
+    private static double idleAtArrival(PatrolView view, int[] places, int start, int way) {
+        double time = view.lengthTo(places[start]) / view.graph().speed();
+        double most = 0;
+        double sum = 0;
+        for (int i = 0; i < places.length; i++) {
+            int place = places[Math.floorMod(start + way * i, places.length)];
+            if (i > 0) {
+                time += view.graph().time(places[Math.floorMod(start + way * (i - 1), places.length)], place);
+            }
+            most = Math.max(most, view.idle(place) + time);
+            sum += view.idle(place) + time;
+        }
+        return most + sum / places.length / 2;
     }
 
     /// Whether another one has the start, and keeps it.
@@ -204,8 +222,8 @@ final class TourFollower implements PatrolStrategy {
         return from == PatrolView.NONE ? 0 : view.graph().length(from, place);
     }
 
-    /// The place of another tour that is most overdue, that nobody goes to, and after which all places of the own tour
-    /// are still visited in time.
+    /// The place of another tour that is most overdue, that nobody goes to, and after which all places of the
+    /// own tour are still visited in time.
     private int late(PatrolView view, PatrolPlan tours, int tour, int following) {
         double speed = view.graph().speed();
         double stop = view.graph().stop();
@@ -226,7 +244,8 @@ final class TourFollower implements PatrolStrategy {
         return best;
     }
 
-    /// Whether no place of the own tour is idle for longer than planned when the robot goes on with it from a place.
+    /// Whether no place of the own tour is idle for longer than planned when the robot goes on with it from a
+    /// place.
     private boolean isInTime(PatrolView view, int[] places, int following, int from, double departure, double worst) {
         double time = departure;
         int last = from;
