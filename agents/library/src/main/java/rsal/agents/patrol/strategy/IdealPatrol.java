@@ -63,6 +63,7 @@ public final class IdealPatrol {
     /// @param losses robots that are lost meanwhile
     /// @param warmUp time that does not count [s]
     /// @param time when it ends [s]
+    /// @return asked for the values at that time
     public static VisitGaps run(
             PatrolGraph graph,
             Supplier<PatrolStrategy> strategies,
@@ -74,7 +75,6 @@ public final class IdealPatrol {
         var patrol = new IdealPatrol(graph, strategies, starts, seed, warmUp);
         losses.forEach(loss -> patrol.robots.get(loss.robot).silent = loss.time);
         patrol.run(time);
-        patrol.gaps.end(time);
         return patrol.gaps;
     }
 

@@ -186,7 +186,8 @@ public final class PatrolGraph {
         return neighbors[place].clone();
     }
 
-    /// The neighbor of a place that comes first on the shortest path to another; the other itself when none lies on it.
+    /// The neighbor of a place that comes first on the shortest path to another; the other itself when none
+    /// lies on it.
     public int firstStep(int from, int to) {
         double direct = length(from, to) * (1 + 1e-9);
         for (int next : neighbors[from]) {

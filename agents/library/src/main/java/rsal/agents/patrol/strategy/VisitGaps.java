@@ -12,7 +12,6 @@ public final class VisitGaps {
     private final double[] squares; // of gaps, by place
     private final int[] counts; // of gaps, by place
     private double worst;
-    private double end;
 
     /// @param warmUp time that does not count [s]; gaps count from a place's last visit before its end
     public VisitGaps(int places, double warmUp) {
@@ -43,54 +42,54 @@ public final class VisitGaps {
         worst = Math.max(worst, gap);
     }
 
-    /// No more visits.
-    ///
-    /// @param time after the warm-up [s]
-    public void end(double time) {
-        end = time;
-        for (int place = 0; place < visited.length; place++) {
-            double gap = time - visited[place];
-            double before = Math.max(0, warmUp - visited[place]);
-            squares[place] += (gap * gap - before * before) / 2;
-            worst = Math.max(worst, gap);
-            if (counts[place] == 0) {
-                sums[place] = gap;
-                counts[place] = 1;
-            }
-        }
-    }
-
-    /// The mean over places of the mean time between two visits [s].
-    public double meanGap() {
+    /// The mean over places of the mean time between two visits until now; of a place that had no visit since
+    /// counting began, the time since its last one [s].
+    public double meanGap(double now) {
         double sum = 0;
         for (int place = 0; place < sums.length; place++) {
-            sum += sums[place] / counts[place];
+            sum += meanGap(place, now);
         }
         return sum / sums.length;
     }
 
-    /// The time average of the mean over places of the time since the last visit [s].
-    public double meanIdleness() {
-        return Arrays.stream(squares).sum() / squares.length / (end - warmUp);
+    private double meanGap(int place, double now) {
+        return counts[place] == 0 ? now - visited[place] : sums[place] / counts[place];
     }
 
-    /// The longest time without a visit of a place [s].
-    public double worst() {
-        return worst;
-    }
-
-    /// Visits that counted, but for the first of places with none.
-    public int visits() {
-        return Arrays.stream(counts).sum();
-    }
-
-    /// The standard deviation over places of the mean time between two visits [s].
-    public double deviation() {
-        double mean = meanGap();
+    /// The standard deviation over places of the mean time between two visits until now [s].
+    public double deviation(double now) {
+        double mean = meanGap(now);
         double sum = 0;
         for (int place = 0; place < sums.length; place++) {
-            sum += Math.pow(sums[place] / counts[place] - mean, 2);
+            sum += Math.pow(meanGap(place, now) - mean, 2);
         }
         return Math.sqrt(sum / sums.length);
+    }
+
+    /// The time average of the mean over places of the time since the last visit [s].
+    ///
+    /// @param now after the warm-up [s]
+    public double meanIdleness(double now) {
+        double sum = 0;
+        for (int place = 0; place < sums.length; place++) {
+            double gap = now - visited[place];
+            double before = Math.max(0, warmUp - visited[place]);
+            sum += squares[place] + (gap * gap - before * before) / 2;
+        }
+        return sum / sums.length / (now - warmUp);
+    }
+
+    /// The longest time without a visit of a place until now [s].
+    public double worst(double now) {
+        double longest = worst;
+        for (double last : visited) {
+            longest = Math.max(longest, now - last);
+        }
+        return longest;
+    }
+
+    /// Visits that counted.
+    public int visits() {
+        return Arrays.stream(counts).sum();
     }
 }
