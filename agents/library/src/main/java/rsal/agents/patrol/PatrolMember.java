@@ -32,10 +32,12 @@ public final class PatrolMember {
     private static final Duration LOOK = Duration.ofMillis(200);
     private static final Duration LISTEN = Duration.ofSeconds(2); // before the first decision
     private static final Tolerance NEAR = Tolerance.position(0.5);
-    private static final double PASSED = 0.6; // m, from a place
+    private static final double PASSED = 0.8; // m, from a place
     private static final double AGAIN = 10; // s until a visit of the same place counts again
     private static final double SPEED = 0.5; // m/s, with turns
     private static final double STOP = 2; // s, for a turn to the next place
+    private static final double PATIENCE = 2; // times the expected time of a drive
+    private static final double DELAY = 20; // s more
     private static final double FAR = 10; // times the longest path: where none leads
 
     private final AgentContext self;
@@ -156,10 +158,12 @@ public final class PatrolMember {
         private final PatrolStrategy strategy;
         private final PatrolView view;
         private final double[] own; // when the robot itself was last at each place [s]
+        private final double[] known; // when a member was last at each place, as far as is known [s]
         private final Instant began = self.scheduler().instant();
         private int last = PatrolView.NONE;
         private int next = PatrolView.NONE;
         private double arrival; // s, about
+        private double giveUpAt; // s, when something must be in the way
         private int decision; // counts, so that what comes late of an older one changes nothing
         private boolean deciding;
         private boolean over;
@@ -174,6 +178,7 @@ public final class PatrolMember {
             this.view = new PatrolView(PatrolGraph.ofLengths(lengths, SPEED, stop), self.random());
             this.own = new double[mapFromPlaces.size()];
             Arrays.fill(own, -AGAIN);
+            this.known = new double[mapFromPlaces.size()];
         }
 
         void begin() {
@@ -200,9 +205,12 @@ public final class PatrolMember {
                 return;
             }
             report();
-            if (now() >= LISTEN.toSeconds()) {
-                resume();
+            if (isFree() && next != PatrolView.NONE && now() > giveUpAt) {
+                decision++;
+                giveUp(next);
+                driver.stop();
             }
+            resume();
         }
 
         private PatrolReport own() {
@@ -239,12 +247,18 @@ public final class PatrolMember {
             List<Double> idleness = visited.idleness();
             double now = now();
             for (int place = 0; idleness.size() == mapFromPlaces.size() && place < idleness.size(); place++) {
-                view.visit(place, now - idleness.get(place));
+                note(place, now - idleness.get(place));
             }
             int place = places.mapFromPlaces().indexOf(visited.mapFromPlace());
             if (place >= 0) {
-                view.visit(place, now);
+                note(place, now);
             }
+        }
+
+        /// A member was at a place.
+        private void note(int place, double time) {
+            known[place] = Math.max(known[place], time);
+            view.visit(place, time);
         }
 
         void pause() {
@@ -294,6 +308,8 @@ public final class PatrolMember {
             next = chosen;
             double length = Double.isFinite(lengths[chosen]) ? lengths[chosen] : 0;
             arrival = now + length / SPEED;
+            giveUpAt =
+                    now + PATIENCE * length / SPEED + DELAY + places.stayTime().toMillis() / 1000.0;
             int asked = decision;
             self.state("patrolling, to " + AgentWords.place(mapFromPlaces.get(chosen)));
             driver.goTo(mapFromPlaces.get(chosen), NEAR, result -> {
@@ -315,9 +331,14 @@ public final class PatrolMember {
                     }
                 });
             } else {
-                view.visit(place, now()); // it can't get there now: others first
-                next = PatrolView.NONE;
+                giveUp(place);
             }
+        }
+
+        /// It can't get there now: other places first. The others are not told that it was visited.
+        private void giveUp(int place) {
+            view.visit(place, now());
+            next = PatrolView.NONE;
         }
 
         /// Counts places near the robot.
@@ -351,9 +372,9 @@ public final class PatrolMember {
             double now = now();
             last = place;
             own[place] = now;
-            view.visit(place, now);
+            note(place, now);
             List<Double> idleness = IntStream.range(0, own.length)
-                    .mapToObj(each -> Math.max(0, now - view.visited(each)))
+                    .mapToObj(each -> Math.max(0, now - known[each]))
                     .toList();
             self.publish(
                     Visited.TOPIC, new Visited(robot, places.mapFromPlaces().get(place), idleness));

@@ -13,7 +13,9 @@ import rsal.agent.team.Assignment;
 final class TourFollower implements PatrolStrategy {
     private static final double JUST_VISITED = 0.15; // of the time between two visits
     private static final int NOTE = 3; // numbers
-    private static final double LATE = 1.15; // times the longest time between visits
+    private static final double LATE = 1.1; // times what is planned, and what own places then have
+    private static final double SHORT = 0.4; // of a round
+    private static final double SOON = 10; // s
 
     private final BiFunction<PatrolGraph, Integer, PatrolPlan> planner;
     private final double spacing;
@@ -222,41 +224,58 @@ final class TourFollower implements PatrolStrategy {
         return from == PatrolView.NONE ? 0 : view.graph().length(from, place);
     }
 
-    /// The place of another tour that is most overdue, that nobody goes to, and after which all places of the
-    /// own tour are still visited in time.
+    /// The place of another tour that will have been idle for longest when the robot gets there: for longer
+    /// than planned, and for longer than all places of the own tour when they are visited after that, which is
+    /// in time. None when the detour is long, or another one gets there soon.
     private int late(PatrolView view, PatrolPlan tours, int tour, int following) {
         double speed = view.graph().speed();
         double stop = view.graph().stop();
-        double worst = tours.worst();
+        int next = tours.places(tour)[following];
         int best = PatrolView.NONE;
         double most = 0;
         for (int place = 0; place < view.graph().size(); place++) {
-            if (tours.tourOf(place) == tour || view.intended(place) > 0) {
+            double there = view.lengthTo(place) / speed + stop;
+            if (tours.tourOf(place) == tour || soonest(view, place) < view.now() + there + SOON) {
                 continue;
             }
-            double there = view.lengthTo(place) / speed + stop;
-            double lateness = view.idle(place) + there - LATE * worst;
-            if (lateness > most && isInTime(view, tours.places(tour), following, place, there, worst)) {
-                most = lateness;
-                best = place;
+            double idle = view.idle(place) + there;
+            double planned = LATE * tours.worst();
+            double detour = there + view.graph().time(place, next) - view.lengthTo(next) / speed;
+            boolean isLate = idle > planned && detour <= SHORT * tours.gap(tour);
+            if (isLate && idle > most) {
+                double after = idleAfter(view, tours.places(tour), following, place, there);
+                if (after <= planned && idle > LATE * after) {
+                    most = idle;
+                    best = place;
+                }
             }
         }
         return best;
     }
 
-    /// Whether no place of the own tour is idle for longer than planned when the robot goes on with it from a
-    /// place.
-    private boolean isInTime(PatrolView view, int[] places, int following, int from, double departure, double worst) {
+    /// When another one will be at a place, as far as is known; +∞ when nobody goes there.
+    private static double soonest(PatrolView view, int place) {
+        double soonest = Double.POSITIVE_INFINITY;
+        for (int member = 0; member < view.members(); member++) {
+            if (member != view.self() && view.next(member) == place) {
+                soonest = Math.min(soonest, view.arrival(member));
+            }
+        }
+        return soonest;
+    }
+
+    /// The largest time since a visit of a place of the own tour, when the robot goes on with it from elsewhere
+    /// [s].
+    private double idleAfter(PatrolView view, int[] places, int following, int from, double departure) {
         double time = departure;
+        double most = 0;
         int last = from;
         for (int i = 0; i < places.length; i++) {
             int place = places[Math.floorMod(following + direction * i, places.length)];
             time += view.graph().time(last, place);
-            if (view.idle(place) + time > worst) {
-                return false;
-            }
+            most = Math.max(most, view.idle(place) + time);
             last = place;
         }
-        return true;
+        return most;
     }
 }
