@@ -96,7 +96,7 @@ public final class PatrolMember {
     private void change() {
         if (patrolling != null) {
             if (isFree()) {
-                patrolling.resume();
+                patrolling.comeBack();
             } else {
                 patrolling.pause();
             }
@@ -165,6 +165,7 @@ public final class PatrolMember {
         private double arrival; // s, about
         private double giveUpAt; // s, when something must be in the way
         private int decision; // counts, so that what comes late of an older one changes nothing
+        private double ready = LISTEN.toSeconds(); // s, before which it does not decide
         private boolean deciding;
         private boolean over;
 
@@ -271,8 +272,14 @@ public final class PatrolMember {
             report();
         }
 
-        void resume() {
-            if (isFree() && !over && next == PatrolView.NONE && !deciding && now() >= LISTEN.toSeconds()) {
+        /// Decides at the next beat, when those that come back at the same time have reported that, too.
+        void comeBack() {
+            ready = Math.max(ready, now() + BEAT.toMillis() / 2000.0);
+            report();
+        }
+
+        private void resume() {
+            if (isFree() && !over && next == PatrolView.NONE && !deciding && now() >= ready) {
                 mapFromBase.get().ifPresent(this::decide);
             }
         }
