@@ -66,6 +66,8 @@ module rsal.agent.library {
             rsal.agents.patrol.strategy.RandomWalk,
             rsal.agents.patrol.strategy.StateExchange,
             rsal.agents.patrol.strategy.VoronoiCells;
+    provides rsal.agent.StrategyComparison with
+            rsal.agents.patrol.strategy.GraphComparison;
     provides rsal.agent.TopicProvider with
             rsal.agents.LibraryTopics;
 

@@ -1,6 +1,5 @@
 /// The command `rsal`: reads what a person types, starts runs and their page, prints results. Knows nothing of how
-/// robots and agents work; of navigation's algorithms only how to try them on recorded data, and of
-/// agents only how to try patrol strategies on graphs.
+/// robots and agents work; of navigation's algorithms only how to try them on recorded data.
 module rsal.cli {
     requires rsal.yaml;
     requires rsal.models;
@@ -14,7 +13,6 @@ module rsal.cli {
     requires jdk.httpserver; // serves the documentation
     requires jdk.management; // memory of the machine
     requires org.slf4j;
-    requires rsal.agent.library;
     requires rsal.bench;
     requires rsal.experiments;
     requires rsal.foxglove;
@@ -56,7 +54,7 @@ module rsal.cli {
             info.picocli,
             tools.jackson.databind;
 
-    uses rsal.agents.patrol.strategy.PatrolStrategyType;
+    uses rsal.agent.StrategyComparison;
     uses rsal.cli.log.Conversion;
 
     provides ch.qos.logback.classic.spi.Configurator with

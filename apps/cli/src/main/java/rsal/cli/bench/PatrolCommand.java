@@ -4,25 +4,18 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.ServiceLoader;
-import java.util.SplittableRandom;
-import java.util.TreeMap;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import rsal.agents.patrol.strategy.GraphFile;
-import rsal.agents.patrol.strategy.IdealPatrol;
-import rsal.agents.patrol.strategy.PatrolGraph;
-import rsal.agents.patrol.strategy.PatrolStrategyType;
-import rsal.agents.patrol.strategy.VisitGaps;
+import rsal.agent.StrategyComparison;
 import rsal.cli.terminal.Exit;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.TextTable;
-import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
@@ -66,9 +59,6 @@ public final class PatrolCommand extends Subcommand {
             description = "Simulated time, 10 to 100000. Default: ${DEFAULT-VALUE}.")
     private double time = 3600;
 
-    /// Means over the seeds, in s.
-    record Row(int robots, String strategy, double meanIdleness, double visitGap, double worst, double deviation) {}
-
     @Override
     protected int run() {
         check(
@@ -78,78 +68,60 @@ public final class PatrolCommand extends Subcommand {
         check(stop >= 0 && stop <= 600, "--stop must be from 0 to 600 s, not %s.".formatted(stop));
         check(seeds >= 1 && seeds <= 100, "--seeds must be from 1 to 100, not %d.".formatted(seeds));
         check(time >= 10 && time <= 1e5, "--for must be from 10 to 100000 s, not %s.".formatted(time));
-        var types = new TreeMap<String, PatrolStrategyType>();
-        ServiceLoader.load(PatrolStrategyType.class).forEach(type -> types.put(type.key(), type));
+        StrategyComparison comparison = ServiceLoader.load(StrategyComparison.class).stream()
+                .map(ServiceLoader.Provider::get)
+                .filter(found -> found.key().equals("patrol"))
+                .findFirst()
+                .orElseThrow(() -> new IllegalStateException("No comparison of patrol strategies is installed."));
+        List<String> known = comparison.strategies();
         strategies.forEach(key -> check(
-                types.containsKey(key),
-                "--strategy: there is no strategy '%s'. Known are: %s."
-                        .formatted(key, String.join(", ", types.keySet()))));
-        PatrolGraph graph = read().graph(speed, stop);
-        var rows = new ArrayList<Row>();
-        for (int team : robots) {
-            types.forEach((key, type) -> {
-                if (strategies.isEmpty() || strategies.contains(key)) {
-                    rows.add(row(graph, team, type));
-                }
-            });
-        }
+                known.contains(key),
+                "--strategy: there is no strategy '%s'. Known are: %s.".formatted(key, String.join(", ", known))));
+        var team = new StrategyComparison.Team(robots, speed, stop, seeds, time);
+        List<StrategyComparison.Row> rows = rows(comparison, strategies.isEmpty() ? known : strategies, team);
         if (json) {
-            printJson(Map.of("places", graph.size(), "rows", rows));
+            printJson(Map.of("rows", rows));
             return Exit.SUCCESS;
         }
         var table = new TextTable("");
-        table.row("robots", "strategy", "meanIdleness [s]", "visitGap [s]", "worst [s]", "visitGapDeviation [s]");
-        rows.forEach(row -> table.row(
-                String.valueOf(row.robots),
-                row.strategy,
-                number(row.meanIdleness),
-                number(row.visitGap),
-                number(row.worst),
-                number(row.deviation)));
+        table.row(cells(
+                "robots",
+                "strategy",
+                rows.getFirst().means().keySet().stream()
+                        .map(metric -> "%s [%s]".formatted(metric, comparison.unit()))));
+        rows.forEach(row -> table.row(cells(
+                String.valueOf(row.robots()),
+                row.strategy(),
+                row.means().values().stream().map(PatrolCommand::number))));
         out().print(table);
         out().flush();
         return Exit.SUCCESS;
+    }
+
+    private static String[] cells(String robots, String strategy, Stream<String> means) {
+        return Stream.concat(Stream.of(robots, strategy), means).toArray(String[]::new);
     }
 
     private static String number(double seconds) {
         return String.format(Locale.ROOT, "%.1f", seconds);
     }
 
-    private Row row(PatrolGraph graph, int team, PatrolStrategyType type) {
-        double idleness = 0;
-        double gap = 0;
-        double worst = 0;
-        double deviation = 0;
-        for (int seed = 1; seed <= seeds; seed++) {
-            int[] starts =
-                    new SplittableRandom(seed).ints(team, 0, graph.size()).toArray();
-            VisitGaps gaps = IdealPatrol.run(
-                    graph,
-                    () -> type.create(Arguments.defaults(type.parameters())),
-                    starts,
-                    List.of(),
-                    seed,
-                    time / 4,
-                    time);
-            idleness += gaps.meanIdleness(time) / seeds;
-            gap += gaps.meanGap(time) / seeds;
-            worst += gaps.worst(time) / seeds;
-            deviation += gaps.deviation(time) / seeds;
-        }
-        return new Row(team, type.key(), idleness, gap, worst, deviation);
-    }
-
-    private GraphFile read() {
+    private List<StrategyComparison.Row> rows(
+            StrategyComparison comparison, List<String> keys, StrategyComparison.Team team) {
         var location = Location.of(file.toString());
+        String text;
         try {
             if (Files.size(file) > LARGEST) {
                 throw new InvalidSettings(location, "This file is too large for a graph.", "");
             }
-            return GraphFile.read(Files.readString(file));
+            text = Files.readString(file);
         } catch (NoSuchFileException _) {
             throw new InvalidSettings(location, "There is no file '%s'.".formatted(file), "");
         } catch (IOException e) {
             throw new InvalidSettings(location, "This file can't be read: %s.".formatted(e), "");
+        }
+        try {
+            return comparison.compare(text, keys, team);
         } catch (IllegalArgumentException e) {
             throw new InvalidSettings(location, String.valueOf(e.getMessage()), "");
         }
