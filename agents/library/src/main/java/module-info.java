@@ -14,6 +14,7 @@ module rsal.agent.library {
     exports rsal.agents.formation;
     exports rsal.agents.parts;
     exports rsal.agents.patrol;
+    exports rsal.agents.patrol.strategy;
     exports rsal.agents.pursuit;
     exports rsal.agents.rescue;
     exports rsal.agents.team;
@@ -50,6 +51,25 @@ module rsal.agent.library {
             rsal.agents.patrol.IdlenessMetric,
             rsal.agents.pursuit.CaptureMetric,
             rsal.agents.rescue.FoundMetric;
+    provides rsal.agents.patrol.strategy.PatrolStrategyType with
+            rsal.agents.patrol.strategy.BalancedTours,
+            rsal.agents.patrol.strategy.Bids,
+            rsal.agents.patrol.strategy.ConcurrentLearning,
+            rsal.agents.patrol.strategy.ConscientiousReactive,
+            rsal.agents.patrol.strategy.CyclicTour,
+            rsal.agents.patrol.strategy.DynamicTasks,
+            rsal.agents.patrol.strategy.ExpectedReactive,
+            rsal.agents.patrol.strategy.GreedyBayesian,
+            rsal.agents.patrol.strategy.HeuristicPathfinder,
+            rsal.agents.patrol.strategy.HeuristicReactive,
+            rsal.agents.patrol.strategy.PartitionTours,
+            rsal.agents.patrol.strategy.RandomWalk,
+            rsal.agents.patrol.strategy.StateExchange,
+            rsal.agents.patrol.strategy.VoronoiCells;
+    provides rsal.agent.StrategyComparison with
+            rsal.agents.patrol.strategy.GraphComparison;
     provides rsal.agent.TopicProvider with
             rsal.agents.LibraryTopics;
+
+    uses rsal.agents.patrol.strategy.PatrolStrategyType;
 }

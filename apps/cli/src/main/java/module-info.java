@@ -54,6 +54,7 @@ module rsal.cli {
             info.picocli,
             tools.jackson.databind;
 
+    uses rsal.agent.StrategyComparison;
     uses rsal.cli.log.Conversion;
 
     provides ch.qos.logback.classic.spi.Configurator with

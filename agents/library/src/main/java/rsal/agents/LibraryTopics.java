@@ -11,6 +11,8 @@ import rsal.agents.foraging.Collected;
 import rsal.agents.foraging.Depot;
 import rsal.agents.formation.FormationSlots;
 import rsal.agents.patrol.Alarm;
+import rsal.agents.patrol.PatrolOrder;
+import rsal.agents.patrol.PatrolReport;
 import rsal.agents.patrol.Visited;
 import rsal.agents.patrol.Watch;
 import rsal.agents.pursuit.Caught;
@@ -34,6 +36,8 @@ public final class LibraryTopics implements TopicProvider {
                 FormationSlots.TOPIC,
                 Lookout.TOPIC,
                 MapEnds.TOPIC,
+                PatrolOrder.TOPIC,
+                PatrolReport.TOPIC,
                 Sighting.TOPIC,
                 VictimFound.TOPIC,
                 VictimHelped.TOPIC,

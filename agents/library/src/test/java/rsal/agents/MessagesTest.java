@@ -25,9 +25,12 @@ import rsal.agent.message.Hello;
 import rsal.agents.foraging.CollectGoal;
 import rsal.agents.formation.FormationSlots;
 import rsal.agents.patrol.Visited;
+import rsal.agents.patrol.strategy.RandomWalk;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.data.Rgb;
+import rsal.settings.Arguments;
+import rsal.settings.PluginChoice;
 
 class MessagesTest {
     /// A message, or part of one, with one thing that it can't have.
@@ -77,6 +80,7 @@ class MessagesTest {
             case "Kind" -> Hello.Kind.HELLO;
             case "Duration" -> Duration.ofSeconds(1);
             case "List" -> List.of();
+            case "PluginChoice" -> new PluginChoice(new RandomWalk(), Arguments.defaults(List.of()));
             case "NavigableMap" -> Collections.emptyNavigableMap();
             default -> throw new AssertionError("Say here what a %s is like.".formatted(part));
         };

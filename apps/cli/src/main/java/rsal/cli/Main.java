@@ -22,6 +22,7 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.UnmatchedArgumentException;
 import rsal.cli.bench.BenchCommand;
+import rsal.cli.bench.PatrolCommand;
 import rsal.cli.grade.GradeCommand;
 import rsal.cli.grade.TestAgentCommand;
 import rsal.cli.log.ConvertCommand;
@@ -102,6 +103,7 @@ public final class Main implements Runnable {
             DoctorCommand.class,
             PrepareCommand.class,
             CertificateCommand.class,
+            PatrolCommand.class,
             BenchCommand.class,
             TestCommand.class,
             DocsCommand.class,

@@ -5,6 +5,7 @@ import static org.assertj.core.api.InstanceOfAssertFactories.DURATION;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
@@ -71,15 +72,40 @@ class PatrolIT {
     void noPlaceIsLeftAloneForLong(long seed) {
         Watch watch = watch("virtual", seed, 400);
         assertThat(watch.metric("collisions")).isZero();
-        assertThat(watch.metric("meanIdleness")).isLessThan(110);
-        assertThat(watch.metric("worstIdleness")).isLessThan(360);
+        assertThat(watch.metric("meanIdleness")).isLessThan(45);
+        assertThat(watch.metric("worstIdleness")).isLessThan(200);
+        assertThat(watch.metric("visitGap")).isBetween(50.0, 100.0);
         assertThat(watch.guards(0)).hasSize(4);
+    }
+
+    @Trials({"1", "2", "3"})
+    @LongTest
+    void balancedToursLeavePlacesAloneForAShorterTimeThanBids(long seed) {
+        Watch balanced = watch("virtual", seed, 600);
+        Watch bids = watch(RunOptions.NONE
+                .withArguments(Map.of("strategy", "bids"))
+                .withSeed(seed)
+                .withLimit(Duration.ofSeconds(600)));
+        assertThat(balanced.metric("meanIdleness")).isLessThan(0.85 * bids.metric("meanIdleness"));
+        assertThat(balanced.metric("worstIdleness")).isLessThan(bids.metric("worstIdleness"));
+    }
+
+    @Trials({"1", "2"})
+    @LongTest
+    void theOthersDivideThePlacesOfOneThatIsGone(long seed) {
+        Watch watch = watch("faulty", seed, 700);
+        assertThat(watch.guards(220)).hasSize(3);
+        assertThat(watch.metric("meanIdleness")).isLessThan(75);
     }
 
     @Trials({"1", "2"})
     @LongTest
     void theOthersTakeOverWhenOneIsGoneAndMessagesAreLost(long seed) {
-        Watch watch = watch("faulty", seed, 700);
+        Watch watch = watch(RunOptions.NONE
+                .withConfiguration("faulty")
+                .withArguments(Map.of("strategy", "bids"))
+                .withSeed(seed)
+                .withLimit(Duration.ofSeconds(700)));
         assertThat(watch.guards(0)).hasSize(4);
         assertThat(watch.guards(220)).hasSize(3);
         assertThat(watch.metric("worstIdleness")).isLessThan(600);

@@ -3,20 +3,27 @@ package rsal.agents.patrol;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import rsal.agents.patrol.strategy.VisitGaps;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.metric.Metric;
 import rsal.metric.MetricType;
+import rsal.metric.QuantityType;
 import rsal.metric.RobotState;
 import rsal.metric.RunState;
 import rsal.metric.SignalType;
 import rsal.settings.Arguments;
 
-/// Places that a team watches, and for how long nobody has really been at each of them (instantaneous
-/// idleness).
+/// Places that a team watches, and for how long nobody has really been at each of them: at each instant
+/// (instantaneous idleness), and between two visits, as most articles about patrols report.
 public final class IdlenessMetric implements MetricType {
     static final SignalType IDLE_TIME = SignalType.ofRun(
             "idleness", "s", "time since the last visit of a watched place, once a second for each place");
+
+    private static final QuantityType GAP =
+            QuantityType.of("visitGap", "s", "mean over watched places of the mean time between two visits");
+    private static final QuantityType DEVIATION = QuantityType.of(
+            "visitGapDeviation", "s", "standard deviation over watched places of the mean time between two visits");
 
     private static final double NEAR = 1.0; // m
     private static final double PERIOD = 1.0; // s between two samples
@@ -32,6 +39,11 @@ public final class IdlenessMetric implements MetricType {
     }
 
     @Override
+    public List<QuantityType> quantities() {
+        return List.of(GAP, DEVIATION);
+    }
+
+    @Override
     public List<SignalType> signals() {
         return List.of(IDLE_TIME);
     }
@@ -44,7 +56,10 @@ public final class IdlenessMetric implements MetricType {
     private static final class WatchedPlaces implements Metric {
         private final RunState run;
         private final Map<Point2d, Double> visited = new LinkedHashMap<>(); // when [s], by place
+        private List<Point2d> places = List.of();
+        private VisitGaps gaps = new VisitGaps(0, 0);
         private double next; // s
+        private double began; // s
 
         WatchedPlaces(RunState run) {
             this.run = run;
@@ -66,6 +81,9 @@ public final class IdlenessMetric implements MetricType {
         private void watch(List<Point2d> mapFromPlaces) {
             visited.clear();
             mapFromPlaces.forEach(place -> visited.put(place, run.time()));
+            places = List.copyOf(visited.keySet());
+            gaps = new VisitGaps(places.size(), 0);
+            began = run.time();
             next = run.time() + PERIOD;
         }
 
@@ -74,7 +92,10 @@ public final class IdlenessMetric implements MetricType {
         /// @param mapFromBase where it really is
         private void visit(Point2d mapFromPlace, Pose2d mapFromBase) {
             if (mapFromBase.position().distanceTo(mapFromPlace) <= NEAR) {
-                visited.computeIfPresent(mapFromPlace, (_, _) -> run.time());
+                visited.computeIfPresent(mapFromPlace, (place, _) -> {
+                    gaps.visit(places.indexOf(place), run.time() - began);
+                    return run.time();
+                });
             }
         }
 
@@ -85,6 +106,15 @@ public final class IdlenessMetric implements MetricType {
                 next += PERIOD;
                 visited.values().forEach(last -> run.sample(IDLE_TIME, now - last));
             }
+        }
+
+        @Override
+        public double value(String quantity, List<String> names) {
+            if (places.isEmpty()) {
+                return Double.NaN;
+            }
+            double now = run.time() - began;
+            return quantity.equals(GAP.word()) ? gaps.meanGap(now) : gaps.deviation(now);
         }
     }
 }

@@ -1,5 +1,6 @@
 package rsal.agents.patrol;
 
+import java.util.List;
 import rsal.agent.MessageContent;
 import rsal.agent.Topic;
 import rsal.agent.message.MessageCheck;
@@ -9,12 +10,23 @@ import rsal.data.Point2d;
 ///
 /// @param robot its id
 /// @param mapFromPlace the place, in the map frame [m]
-public record Visited(String robot, Point2d mapFromPlace) implements MessageContent {
+/// @param idleness times since the last visits of all places, as far as the robot knows, in the order of
+/// [PatrolOrder] [s]; so others learn of visits of which they heard nothing. Empty when it does not know.
+public record Visited(String robot, Point2d mapFromPlace, List<Double> idleness) implements MessageContent {
     public static final Topic<Visited> TOPIC = new Topic<>("visited", Visited.class);
 
     public Visited {
         MessageCheck.given("robot", robot);
         MessageCheck.somewhere("place", mapFromPlace);
+        idleness = List.copyOf(idleness);
+        if (!idleness.stream().allMatch(each -> each >= 0 && Double.isFinite(each))) {
+            throw new IllegalArgumentException("Times since visits are at least 0 s, not '%s'.".formatted(idleness));
+        }
+    }
+
+    /// Of one that knows nothing of other places.
+    public Visited(String robot, Point2d mapFromPlace) {
+        this(robot, mapFromPlace, List.of());
     }
 
     @Override

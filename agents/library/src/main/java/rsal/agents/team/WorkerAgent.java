@@ -20,6 +20,7 @@ import rsal.agents.parts.RequiredRobot;
 import rsal.agents.patrol.IntruderDetector;
 import rsal.agents.patrol.Meet;
 import rsal.agents.patrol.Meeting;
+import rsal.agents.patrol.PatrolMember;
 import rsal.agents.patrol.Visit;
 import rsal.agents.patrol.Visiting;
 import rsal.device.BlobFinder;
@@ -60,13 +61,15 @@ public final class WorkerAgent extends AgentTypeBase {
         var reporter = new PoseReporter(self, robot, arguments, _ -> {});
         Optional<Charting> charting =
                 robot.find(Mapper.class).map(mapper -> new Charting(self, robot.id(), driver, mapper));
-        PathCostEstimator planned = new PlannedPaths(robot.find(Planner.class), NEAR);
+        var planned = new PlannedPaths(robot.find(Planner.class), NEAR);
         PathCostEstimator pathCosts =
                 charting.map(skill -> skill.pathCosts(planned)).orElse(planned);
+        var patrol = new PatrolMember(self, robot.id(), driver, reporter::mapFromBase, planned);
         var worker = new Worker(self, pathCosts, reporter::mapFromBase, now -> {
             if (now.job().isEmpty()) {
                 self.state("waiting for a job");
             }
+            patrol.idle(now.job().isEmpty());
         });
         worker.learn(Visit.class, new Visiting(self, robot.id(), driver));
         var meeting = new Meeting(self, driver, reporter::mapFromBase);
@@ -82,13 +85,24 @@ public final class WorkerAgent extends AgentTypeBase {
                 reporter::mapFromBase,
                 arguments,
                 () -> true,
-                () -> worker.unfit("charging"),
-                worker::fit);
-        var goals = new GoalService(self, robot.id(), driver, () -> worker.unfit("on an errand"), () -> {
+                () -> {
+                    patrol.fit(false);
+                    worker.unfit("charging");
+                },
+                () -> {
+                    worker.fit();
+                    patrol.fit(true);
+                });
+        Runnable beforeGoal = () -> {
+            patrol.fit(false);
+            worker.unfit("on an errand");
+        };
+        var goals = new GoalService(self, robot.id(), driver, beforeGoal, () -> {
             if (recharging.isCharging()) {
                 worker.unfit("charging");
             } else {
                 worker.fit();
+                patrol.fit(true);
             }
         });
         recharging.begin();
@@ -99,6 +113,7 @@ public final class WorkerAgent extends AgentTypeBase {
         Spotting.color(arguments, IntruderDetector.INTRUDER)
                 .ifPresent(color -> new IntruderDetector(self, robot, reporter, color, meeting::see).begin());
         worker.begin();
+        patrol.begin();
         self.state("waiting for a job");
     }
 }

@@ -118,7 +118,7 @@ class IntruderTest {
 
     @Test
     void whereverTheyGoByOtherWaysTheyAreCalledToo() {
-        patrol(Map.of("strategy", "cycle", "responders", 1));
+        patrol(Map.of("strategy", "partition", "responders", 1));
         see("c", 5);
         assertThat(goals())
                 .containsExactly(new Point2d(0, 9), new Point2d(20, 9), new Point2d(44, 0), new Point2d(60, 9));

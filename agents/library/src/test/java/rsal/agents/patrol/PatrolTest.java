@@ -2,24 +2,30 @@ package rsal.agents.patrol;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.ServiceLoader;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import rsal.agents.FakeBattery;
 import rsal.agents.FakeRobot;
 import rsal.agents.Scene;
+import rsal.agents.patrol.strategy.PatrolStrategyType;
 import rsal.data.BatteryState.Charging;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Result;
 import rsal.device.PlaceFinder;
+import rsal.settings.Arguments;
+import rsal.settings.PluginChoice;
 
 /// Agents of types `patrol` and `worker` together.
 class PatrolTest {
     private final Scene scene = new Scene();
     private final Map<String, FakeRobot> robots = new TreeMap<>();
+    private final Map<String, Double> at = new TreeMap<>();
     private final Map<String, FakeBattery> batteries = new TreeMap<>();
 
     private FakeRobot guard(String id, double x) {
@@ -30,6 +36,7 @@ class PatrolTest {
         var equipped = robot.robot.with(battery).with(robot.places);
         scene.start("worker", id, Optional.of(equipped), Map.of("chargers", "50 0; 90 0"));
         robot.isAt(x, 0);
+        at.put(id, x);
         return robot;
     }
 
@@ -59,7 +66,7 @@ class PatrolTest {
     void eachPlaceGoesToTheOneThatIsNearAndThenToWhereNobodyWasForLong() {
         guard("a", 0);
         guard("b", 20);
-        patrol(Map.of("places", "1 0; 3 0; 18 0", "urgency", 1));
+        patrol(Map.of("places", "1 0; 3 0; 18 0", "strategy", strategy("bids")));
         assertThat(goal("a")).isEqualTo(1);
         assertThat(goal("b")).isEqualTo(18);
         scene.advance(10);
@@ -70,40 +77,123 @@ class PatrolTest {
         assertThat(scene.state("patrol")).isEqualTo("watching 3 places, left alone for 7 s, at most 10 s");
     }
 
-    @Test
-    void alongACycleTheyBeginEvenlySpacedAndLeaveOutWhereTheyCannotGet() {
-        guard("a", 0);
-        guard("b", 0);
-        scene.advance(1);
-        patrol(Map.of("places", "1 0; 2 0; 3 0; 4 0", "strategy", "cycle"));
-        scene.advance(6);
-        assertThat(goal("a")).isEqualTo(1);
-        assertThat(goal("b")).isEqualTo(3);
-        reach("a");
-        assertThat(goal("a")).isEqualTo(2);
-        robots.get("a").navigator.end(new Result.NoPath("A wall."));
-        scene.advance(0);
-        assertThat(goal("a")).isEqualTo(3);
-        reach("b");
-        reach("b");
-        assertThat(goal("b")).isEqualTo(1);
+    private static PluginChoice strategy(String key) {
+        PatrolStrategyType type = ServiceLoader.load(PatrolStrategyType.class).stream()
+                .map(ServiceLoader.Provider::get)
+                .filter(candidate -> candidate.key().equals(key))
+                .findFirst()
+                .orElseThrow();
+        return new PluginChoice(type, Arguments.defaults(type.parameters()));
+    }
+
+    /// Drives for some time as the robots' goals are: at 1 m/s, along a line.
+    private void drive(int seconds, String... ids) {
+        for (int tenth = 0; tenth < 10 * seconds; tenth++) {
+            for (String id : ids) {
+                FakeRobot robot = robots.get(id);
+                if (!robot.navigator.goals.isEmpty()) {
+                    double apart = goal(id) - at.get(id);
+                    at.put(id, at.get(id) + Math.clamp(apart, -0.1, 0.1));
+                    robot.isAt(at.get(id), 0);
+                }
+            }
+            scene.advance(0.1);
+        }
+    }
+
+    private List<Double> visits(String id) {
+        return scene.said(id, Visited.TOPIC).stream()
+                .map(visited -> visited.mapFromPlace().x())
+                .toList();
     }
 
     @Test
-    void atRandomTheyGoAnywhere() {
+    void robotsDivideThePlacesAndDoNotStopAtThem() {
         guard("a", 0);
-        patrol(Map.of("places", "1 0; 2 0; 3 0; 4 0", "strategy", "random"));
-        scene.advance(6);
-        for (int i = 0; i < 40; i++) {
-            reach("a");
-        }
-        assertThat(robots.get("a").navigator.goals.stream().map(Pose2d::x)).contains(1.0, 2.0, 3.0, 4.0);
+        guard("b", 20);
+        patrol(Map.of("places", "1 0; 4 0; 18 0; 21 0"));
+        drive(30, "a", "b");
+        assertThat(visits("a")).hasSizeGreaterThan(4).containsOnly(1.0, 4.0);
+        assertThat(visits("b")).hasSizeGreaterThan(4).containsOnly(18.0, 21.0);
+    }
+
+    @Test
+    void patrolGoesOnWithoutTheAgentThatBeganIt() {
+        guard("a", 0);
+        patrol(Map.of("places", "1 0; 4 0"));
+        drive(5, "a");
+        scene.platform.stop("patrol");
+        int before = visits("a").size();
+        drive(20, "a");
+        assertThat(visits("a")).hasSizeGreaterThan(before + 3);
+    }
+
+    @Test
+    void placesOfOneThatIsSilentAreTakenOver() {
+        guard("a", 0);
+        guard("b", 20);
+        patrol(Map.of("places", "1 0; 4 0; 18 0; 21 0"));
+        drive(10, "a", "b");
+        scene.platform.stop("b");
+        drive(60, "a");
+        assertThat(visits("a")).contains(18.0, 21.0);
+    }
+
+    @Test
+    void oneThatChargesLeavesItsPlacesToTheOthersAndComesBack() {
+        guard("a", 0);
+        guard("b", 20);
+        patrol(Map.of("places", "1 0; 4 0; 18 0; 21 0"));
+        drive(10, "a", "b");
+        charge("b", 0.2, Charging.DISCHARGING);
+        assertThat(goal("b")).isEqualTo(50);
+        drive(60, "a", "b");
+        assertThat(visits("a")).contains(18.0, 21.0);
+        charge("b", 0.95, Charging.CHARGING);
+        int before = visits("b").size();
+        drive(60, "a", "b");
+        assertThat(visits("b")).hasSizeGreaterThan(before);
+    }
+
+    @Test
+    void whatOthersReportOfPlacesCounts() {
+        guard("a", 0);
+        List<Point2d> places = List.of(new Point2d(1, 0), new Point2d(4, 0), new Point2d(8, 0));
+        var order = new PatrolOrder(places, strategy("er"), Duration.ZERO);
+        scene.hear("patrol", PatrolOrder.TOPIC, order);
+        drive(40, "a");
+        scene.hear("x", Visited.TOPIC, new Visited("x", places.getFirst(), List.of(0.0, 0.0, 300.0)));
+        scene.hear("x", Visited.TOPIC, new Visited("x", places.get(1), List.of(0.0, 0.0)));
+        assertThat(scene.said("a", Visited.TOPIC).getLast().idleness())
+                .hasSize(3)
+                .allMatch(idle -> idle < 60);
+    }
+
+    @Test
+    void placeThatCannotBeReachedIsLeftOut() {
+        guard("a", 0);
+        patrol(Map.of("places", "1 0; 4 0; 8 0", "strategy", strategy("cycle")));
+        scene.advance(3);
+        double first = goal("a");
+        robots.get("a").navigator.end(new Result.NoPath("A wall."));
+        scene.advance(2);
+        assertThat(goal("a")).isNotEqualTo(first);
+    }
+
+    @Test
+    void driveThatTakesFarTooLongIsGivenUp() {
+        guard("a", 0);
+        patrol(Map.of("places", "1 0; 4 0; 8 0"));
+        scene.advance(3);
+        double first = goal("a");
+        scene.advance(60);
+        assertThat(robots.get("a").navigator.goals.stream().map(Pose2d::x)).anyMatch(goal -> goal != first);
     }
 
     @Test
     void placesAreFoundWhenNoneAreGiven() {
         guard("a", 0).places.result = new PlaceFinder.Result.Found(List.of(new Point2d(7, 0), new Point2d(8, 0)));
-        patrol(Map.of("places", "", "count", 2));
+        patrol(Map.of("places", "", "count", 2, "strategy", strategy("bids")));
         scene.advance(6);
         assertThat(goal("a")).isEqualTo(7);
     }
@@ -111,7 +201,7 @@ class PatrolTest {
     @Test
     void guardWhoseBatteryIsLowChargesWhileAnotherTakesItsPlace() {
         guard("a", 0);
-        patrol(Map.of("places", "1 0"));
+        patrol(Map.of("places", "1 0", "strategy", strategy("bids")));
         guard("b", 20);
         charge("a", 0.2, Charging.DISCHARGING);
         assertThat(goal("a")).as("the nearest charger").isEqualTo(50);
@@ -134,7 +224,7 @@ class PatrolTest {
     void guardsAreChargedWhereNobodyElseIs() {
         guard("a", 40);
         guard("b", 45);
-        patrol(Map.of("places", "1 0"));
+        patrol(Map.of("places", "1 0", "strategy", strategy("bids")));
         charge("b", 0.2, Charging.DISCHARGING);
         assertThat(goal("b")).isEqualTo(50);
         scene.advance(60);
@@ -145,7 +235,7 @@ class PatrolTest {
     @Test
     void guardThatIsSentAwayFromItsChargerGoesBackAndTakesNoJobs() {
         guard("a", 40);
-        patrol(Map.of("places", "1 0"));
+        patrol(Map.of("places", "1 0", "strategy", strategy("bids")));
         charge("a", 0.2, Charging.DISCHARGING);
         scene.order("a", 5, 0);
         assertThat(goal("a")).isEqualTo(5);
@@ -160,7 +250,7 @@ class PatrolTest {
     @Test
     void errandsComeFirst() {
         guard("a", 0);
-        patrol(Map.of("places", "1 0"));
+        patrol(Map.of("places", "1 0", "strategy", strategy("bids")));
         scene.order("a", 5, 0);
         assertThat(goal("a")).isEqualTo(5);
         scene.advance(10);

@@ -42,7 +42,7 @@ import rsal.scenario.Scenario;
 /// longest route; `places.sum` and `places.longest`, 2 to 8 robots anywhere on the office floor and as many places
 /// spread over it, allotted as the scenario `distribution` does, by the sum of the ways and by the longest
 /// ([rsal.agent.team.Assignment#even]). And `allot.messages`, how many messages a team needs for a job, all told, in
-/// whole runs of `patrol`.
+/// whole runs of `patrol` by bids.
 public final class AllotmentBench implements Bench {
     private static final int DRAWS = 100;
     private static final double SIDE = 100; // m
@@ -89,7 +89,8 @@ public final class AllotmentBench implements Bench {
             report(PLACES_LONGEST, even(floors, Math::max), assignment);
         }
         if (assignment.wants(MESSAGES)) {
-            List<RunResult> runs = SeededRuns.of("allot.patrol", PATROL, RunOptions.NONE, assignment);
+            List<RunResult> runs = SeededRuns.of(
+                    "allot.patrol", PATROL, RunOptions.NONE.withArguments(Map.of("strategy", "bids")), assignment);
             assignment.report(Result.less(
                     MESSAGES,
                     "",

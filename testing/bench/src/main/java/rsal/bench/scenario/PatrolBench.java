@@ -14,16 +14,15 @@ import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 
-/// Whole runs of the scenario `patrol`, 20 minutes long: guards that bid for places beside those that go along a cycle
-/// and at random.
+/// Whole runs of the scenario `patrol`, 20 minutes long: guards with balanced tours beside those with other strategies.
 ///
 /// Names are `patrol.<strategy>.<what>`. What: `mean` and `worst`, for how long a place was left alone on average
 /// and at most, the mean of all runs ([Confidence]); `contacts`, touches in a run. And
-/// `patrol.bids.<what>.saved.<strategy>`, how much less that is by bids ([Saving]).
+/// `patrol.balanced.<what>.saved.<strategy>`, how much less that is with balanced tours ([Saving]).
 public final class PatrolBench implements Bench {
     private static final Scenario SCENARIO = Scenario.load("patrol");
-    private static final String BIDS = "bids";
-    private static final List<String> OTHERS = List.of("cycle", "random");
+    private static final String OURS = "balanced";
+    private static final List<String> OTHERS = List.of("bids", "partition", "sebs", "cycle", "random");
     private static final List<String> WHATS = List.of("mean", "worst");
 
     private static String name(String strategy, String what) {
@@ -31,7 +30,7 @@ public final class PatrolBench implements Bench {
     }
 
     private static String saved(String strategy, String what) {
-        return "patrol.%s.%s.saved.%s".formatted(BIDS, what, strategy);
+        return "patrol.%s.%s.saved.%s".formatted(OURS, what, strategy);
     }
 
     private static List<String> names(String strategy) {
@@ -49,7 +48,7 @@ public final class PatrolBench implements Bench {
 
     @Override
     public List<String> names() {
-        var names = new ArrayList<>(names(BIDS));
+        var names = new ArrayList<>(names(OURS));
         OTHERS.forEach(other -> names.addAll(names(other)));
         OTHERS.forEach(other -> names.addAll(namesOfSaved(other)));
         return names;
@@ -61,14 +60,14 @@ public final class PatrolBench implements Bench {
         List<String> compared = OTHERS.stream()
                 .filter(other -> assignment.wantsAny(namesOfSaved(other)))
                 .toList();
-        boolean bids = !compared.isEmpty() || assignment.wantsAny(names(BIDS));
-        List<RunResult> bidding = bids ? watch(BIDS, assignment, bars) : List.of();
+        boolean balanced = !compared.isEmpty() || assignment.wantsAny(names(OURS));
+        List<RunResult> ours = balanced ? watch(OURS, assignment, bars) : List.of();
         for (String other : OTHERS) {
             if (compared.contains(other) || assignment.wantsAny(names(other))) {
                 List<RunResult> others = watch(other, assignment, bars);
                 if (compared.contains(other)) {
                     WHATS.forEach(what -> assignment.report(
-                            Saving.of(saved(other, what), "s", idleTimes(bidding, what), idleTimes(others, what))));
+                            Saving.of(saved(other, what), "s", idleTimes(ours, what), idleTimes(others, what))));
                 }
             }
         }
