@@ -16,12 +16,14 @@ module rsal.navigation {
     exports rsal.navigation.mpc;
     exports rsal.navigation.nd;
     exports rsal.navigation.parameter;
+    exports rsal.navigation.passage;
     exports rsal.navigation.recovery;
     exports rsal.navigation.replay;
     exports rsal.navigation.scanmatch;
     exports rsal.navigation.slam;
     exports rsal.navigation.snd;
     exports rsal.navigation.spread;
+    exports rsal.navigation.traffic;
     exports rsal.navigation.vfh;
     exports rsal.navigation.wavefront;
 
@@ -31,6 +33,7 @@ module rsal.navigation {
     uses rsal.navigation.control.ProgressCheckerType;
     uses rsal.navigation.log.LogFormat;
     uses rsal.navigation.recovery.RecoveryType;
+    uses rsal.navigation.traffic.TrafficType;
 
     provides rsal.navigation.control.ControllerType with
             rsal.navigation.control.DwaControllerType,
@@ -56,6 +59,9 @@ module rsal.navigation {
             rsal.navigation.recovery.SpinRecoveryType,
             rsal.navigation.recovery.TurnAroundRecoveryType,
             rsal.navigation.recovery.WaitRecoveryType;
+    provides rsal.navigation.traffic.TrafficType with
+            rsal.navigation.traffic.NoTrafficType,
+            rsal.navigation.traffic.RightOfWayType;
     provides rsal.robot.DeviceDriver with
             rsal.navigation.device.AmclDriver,
             rsal.navigation.device.ExploredDriver,
