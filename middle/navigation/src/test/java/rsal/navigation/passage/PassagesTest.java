@@ -82,7 +82,8 @@ class PassagesTest {
         Passage door = found.all().getFirst();
         assertThat(door.gates()).hasSize(2);
         assertThat(door.mapFromMiddle().x()).isCloseTo(4.3, within(0.2));
-        assertThat(door.gates()).allSatisfy(gate -> assertThat(gate.waitingPlaces()).isNotEmpty());
+        assertThat(door.gates())
+                .allSatisfy(gate -> assertThat(gate.waitingPlaces()).isNotEmpty());
         assertThat(Math.abs(door.gates().getFirst().mapFromGate().x()
                         - door.gates().getLast().mapFromGate().x()))
                 .isBetween(1.2, 2.2);
@@ -181,7 +182,9 @@ class PassagesTest {
         DistanceField toNotFree = DistanceField.toNotFree(map);
         Passages found = DrawnMaps.passages(map);
 
-        assertThat(found.all()).as("seed %d", seed).isEqualTo(DrawnMaps.passages(map).all());
+        assertThat(found.all())
+                .as("seed %d", seed)
+                .isEqualTo(DrawnMaps.passages(map).all());
         for (Passage passage : found.all()) {
             for (Point2d cell : passage.mapFromCells()) {
                 assertThat(open.isOpen(map.cell(cell))).isTrue();
@@ -237,8 +240,7 @@ class PassagesTest {
     }
 
     /// How many cells within 3.5 m of a gate can be reached from it outside of passages, without coming near a place.
-    private static int reached(
-            OccupancyGrid map, CostMap open, Passages found, Gate gate, Point2d avoided, double by) {
+    private static int reached(OccupancyGrid map, CostMap open, Passages found, Gate gate, Point2d avoided, double by) {
         var seen = new boolean[map.cells().length];
         var next = new ArrayDeque<Integer>();
         next.add(map.cell(gate.mapFromGate()));

@@ -5,22 +5,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
-import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
-import java.util.function.BiConsumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
-import rsal.device.Subscription;
 import rsal.navigation.passage.DrawnMaps;
 import rsal.navigation.passage.Passages;
-import rsal.robot.TeamLink;
 
 /// Points that drive as they are advised, over a radio that loses messages.
 class RightOfWayTest {
@@ -47,46 +40,6 @@ class RightOfWayTest {
     private static final Passages PASSAGES = DrawnMaps.passages(DOOR);
     private static final Point2d MIDDLE = new Point2d(4.3, 1.8);
 
-    /// All robots hear each other but for chance.
-    private static final class LossyRadio {
-        final Map<String, List<BiConsumer<String, TrafficReport>>> listeners = new HashMap<>();
-        final SplittableRandom random;
-        final double loss;
-        int said;
-
-        LossyRadio(long seed, double loss) {
-            this.random = new SplittableRandom(seed);
-            this.loss = loss;
-        }
-
-        TeamLink link(String robot) {
-            return new TeamLink() {
-                @Override
-                public void publish(Record message) {
-                    listeners.keySet().forEach(other -> send(other, message));
-                }
-
-                @Override
-                public void send(String other, Record message) {
-                    said++;
-                    if (!other.equals(robot) && random.nextDouble() >= loss) {
-                        listeners
-                                .getOrDefault(other, List.of())
-                                .forEach(listener -> listener.accept(robot, (TrafficReport) message));
-                    }
-                }
-
-                @Override
-                public <M extends Record> Subscription onMessage(Class<M> type, BiConsumer<String, M> listener) {
-                    listeners
-                            .computeIfAbsent(robot, _ -> new ArrayList<>())
-                            .add((sender, message) -> listener.accept(sender, type.cast(message)));
-                    return () -> {};
-                }
-            };
-        }
-    }
-
     /// One robot, a point that drives to and fro at 0.4 m/s.
     private static final class Driver {
         final RightOfWay rule;
@@ -96,7 +49,7 @@ class RightOfWayTest {
         boolean toRight;
         int crossings;
 
-        Driver(LossyRadio radio, String robot, double y, boolean toRight) {
+        Driver(LossyLinks radio, String robot, double y, boolean toRight) {
             this.rule = new RightOfWay(
                     new TrafficType.Participant(
                             robot,
@@ -146,7 +99,7 @@ class RightOfWayTest {
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
     void nobodyMeetsAnybodyInADoorAndAllGetThrough(long seed) {
         double loss = 0.05 * seed;
-        var radio = new LossyRadio(seed, loss);
+        var radio = new LossyLinks(seed, loss);
         var drivers = new ArrayList<Driver>();
         for (int i = 0; i < 5; i++) {
             drivers.add(new Driver(radio, "r" + i, 0.8 + 0.5 * i, i % 2 == 0));
@@ -163,7 +116,7 @@ class RightOfWayTest {
 
     @Test
     void aRobotThatBreaksDownInADoorClosesIt() {
-        var radio = new LossyRadio(1, 0);
+        var radio = new LossyLinks(1, 0);
         var one = new Driver(radio, "r1", 1.8, true);
         var other = new Driver(radio, "r2", 1.2, false);
         int step = 0;
@@ -173,7 +126,7 @@ class RightOfWayTest {
             other.step(now);
         }
         assertThat(one.isInside()).isTrue();
-        radio.listeners.remove("r1"); // it is dead, and says nothing any more
+        radio.silence("r1"); // it is dead, and says nothing any more
         Instant broken = Instant.EPOCH.plusMillis(100L * step);
         for (int i = 0; i < 590; i++) {
             other.step(broken.plusMillis(100L * i));
@@ -185,12 +138,12 @@ class RightOfWayTest {
 
     @Test
     void aRobotThatNobodyHearsDrivesAtOnce() {
-        var radio = new LossyRadio(1, 0);
+        var radio = new LossyLinks(1, 0);
         var one = new Driver(radio, "r1", 1.8, true);
         for (int step = 0; step < 200; step++) {
             one.step(Instant.EPOCH.plusMillis(100L * step));
         }
         assertThat(one.crossings).isEqualTo(1);
-        assertThat(radio.said).isLessThanOrEqualTo(12);
+        assertThat(radio.said()).isLessThanOrEqualTo(12);
     }
 }
