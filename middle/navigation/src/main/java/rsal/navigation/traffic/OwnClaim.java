@@ -90,6 +90,14 @@ final class OwnClaim {
         return passages.contains(passage);
     }
 
+    /// Whether the claim of another robot goes first.
+    ///
+    /// @param robot the other's id
+    /// @param self the own one
+    boolean isAfter(TrafficReport.Claim other, String robot, String self) {
+        return other.ticket() < ticket || (other.ticket() == ticket && robot.compareTo(self) < 0);
+    }
+
     /// A path of now leads out.
     void leavesBy(List<Point2d> path, double end) {
         exit = exit(path, end);

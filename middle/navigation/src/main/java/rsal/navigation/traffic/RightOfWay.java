@@ -39,12 +39,12 @@ final class RightOfWay implements TrafficRule {
     private static final double TURN_OFF = 2.5; // m of path before a passage at which it leaves for a waiting place
     private static final double STOP = 0.6; // m before a passage
     private static final double CLEAR = 0.15; // m between a robot's middle and the passage that it has left
-    private static final double APART = 0.1; // m between bodies of who waits and who leaves
     private static final double FAR = 60; // m of path that count for a claim
 
     private final TrafficType.Participant self;
     private final Settings settings;
     private final Mates mates = new Mates();
+    private final WaitingChoice places;
     private final Set<String> askers = new TreeSet<>();
     private final List<Follower> followers = new ArrayList<>();
     private @Nullable Passages passages;
@@ -75,6 +75,7 @@ final class RightOfWay implements TrafficRule {
         this.self = self;
         this.settings = settings;
         this.now = self.start();
+        this.places = new WaitingChoice(mates, self.robot(), self.radius());
         self.link().onMessage(TrafficReport.class, this::heard);
     }
 
@@ -185,7 +186,7 @@ final class RightOfWay implements TrafficRule {
         }
         double left = next.get().from();
         if (access == Access.TAKEN && (left < TURN_OFF || wanted.waiting != null)) {
-            wanted.waiting = waitingPlace(wanted, wanted.entryGate);
+            wanted.waiting = places.choose(wanted, wanted.entryGate, mapFromBase.position());
             if (wanted.waiting != null) {
                 return new TrafficAdvice.WaitAt(wanted.waiting, wanted.entry);
             }
@@ -201,7 +202,7 @@ final class RightOfWay implements TrafficRule {
         for (Mate mate : mates.all()) {
             Point2d other = mate.report.mapFromBase().position();
             boolean isBetween = other.distanceTo(wanted.entry) < own + self.radius()
-                    && distance(other, place, door) < 2 * self.radius();
+                    && WaitingChoice.distance(other, place, door) < 2 * self.radius();
             boolean comesAfter =
                     mate.report.claim().filter(claimed -> !claimed.isHeld()).isPresent();
             if (isBetween && !comesAfter && mate.still(now).compareTo(LEFT) < 0) {
@@ -230,17 +231,7 @@ final class RightOfWay implements TrafficRule {
         return true;
     }
 
-    /// Of a place from the straight line between two others [m].
-    private static double distance(Point2d place, Point2d from, Point2d to) {
-        double x = to.x() - from.x();
-        double y = to.y() - from.y();
-        double square = x * x + y * y;
-        double share = square == 0 ? 0 : ((place.x() - from.x()) * x + (place.y() - from.y()) * y) / square;
-        double near = Math.clamp(share, 0, 1);
-        return place.distanceTo(new Point2d(from.x() + near * x, from.y() + near * y));
-    }
-
-    /// Whoever is in a passage has it.
+    /// A robot in a passage has it, whatever was agreed.
     private void occupy(Passages known) {
         Point2d place = mapFromBase.position();
         Optional<Passage> here = known.at(place);
@@ -325,11 +316,7 @@ final class RightOfWay implements TrafficRule {
         if (invited) {
             return other.isHeld() && !isSame(other.entry(), wanted.entry);
         }
-        return other.isHeld() || isBefore(other, mate.robot, wanted);
-    }
-
-    private boolean isBefore(Claim other, String robot, OwnClaim wanted) {
-        return other.ticket() < wanted.ticket || (other.ticket() == wanted.ticket && robot.compareTo(self.robot()) < 0);
+        return other.isHeld() || wanted.isAfter(other, mate.robot, self.robot());
     }
 
     /// Whether a robot knows of a claim, or is not there any more.
@@ -370,7 +357,7 @@ final class RightOfWay implements TrafficRule {
                         .filter(other -> other.isHeld()
                                 && meets(held, other.passages())
                                 && !isSame(other.entry(), held.entry)
-                                && isBefore(other, mate.robot, held)
+                                && held.isAfter(other, mate.robot, self.robot())
                                 && mate.still(now).compareTo(settings.closeAfter) < 0)
                         .isPresent())
                 .findFirst();
@@ -390,53 +377,10 @@ final class RightOfWay implements TrafficRule {
                 }
             }
         }
-        held.waiting = waitingPlace(held, best);
+        held.waiting = places.choose(held, best, mapFromBase.position());
         return held.waiting == null
                 ? new TrafficAdvice.Halt()
                 : new TrafficAdvice.WaitAt(held.waiting, best.mapFromGate());
-    }
-
-    /// One that is free, away from where others leave the passage; null when there is none at that gate.
-    private @Nullable Point2d waitingPlace(OwnClaim wanted, Gate gate) {
-        double apart = 2 * self.radius() + APART;
-        Point2d kept = wanted.waiting;
-        if (kept != null && gate.waitingPlaces().contains(kept) && room(kept, wanted) >= 0.9 * apart) {
-            return kept;
-        }
-        Point2d best = null;
-        double bestRank = Double.POSITIVE_INFINITY;
-        for (Point2d place : gate.waitingPlaces()) {
-            double missing = Math.max(0, apart - room(place, wanted));
-            double rank = mapFromBase.position().distanceTo(place)
-                    + 1.5 * place.distanceTo(gate.mapFromGate())
-                    + 20 * missing;
-            if (rank < bestRank) {
-                bestRank = rank;
-                best = place;
-            }
-        }
-        return best;
-    }
-
-    /// Distance from a place to what it should be away from [m].
-    private double room(Point2d place, OwnClaim wanted) {
-        double least = Double.POSITIVE_INFINITY;
-        for (Mate mate : mates.all()) {
-            Claim other = mate.report.claim().orElse(null);
-            if (other == null) {
-                least = Math.min(
-                        least, place.distanceTo(mate.report.mapFromBase().position()));
-            } else if (!other.isHeld()) {
-                if (other.waiting().isPresent() && isBefore(other, mate.robot, wanted)) {
-                    least = Math.min(least, place.distanceTo(other.waiting().get()));
-                }
-            } else {
-                for (Point2d point : other.exit()) {
-                    least = Math.min(least, place.distanceTo(point));
-                }
-            }
-        }
-        return least;
     }
 
     /// Takes along who comes behind in the same direction.
