@@ -16,6 +16,7 @@ module rsal.navigation {
     exports rsal.navigation.mpc;
     exports rsal.navigation.nd;
     exports rsal.navigation.parameter;
+    exports rsal.navigation.passage;
     exports rsal.navigation.recovery;
     exports rsal.navigation.replay;
     exports rsal.navigation.rooms;
@@ -23,6 +24,7 @@ module rsal.navigation {
     exports rsal.navigation.slam;
     exports rsal.navigation.snd;
     exports rsal.navigation.spread;
+    exports rsal.navigation.traffic;
     exports rsal.navigation.vfh;
     exports rsal.navigation.wavefront;
 
@@ -32,6 +34,7 @@ module rsal.navigation {
     uses rsal.navigation.control.ProgressCheckerType;
     uses rsal.navigation.log.LogFormat;
     uses rsal.navigation.recovery.RecoveryType;
+    uses rsal.navigation.traffic.TrafficType;
 
     provides rsal.navigation.control.ControllerType with
             rsal.navigation.control.DwaControllerType,
@@ -57,6 +60,9 @@ module rsal.navigation {
             rsal.navigation.recovery.SpinRecoveryType,
             rsal.navigation.recovery.TurnAroundRecoveryType,
             rsal.navigation.recovery.WaitRecoveryType;
+    provides rsal.navigation.traffic.TrafficType with
+            rsal.navigation.traffic.NoTrafficType,
+            rsal.navigation.traffic.RightOfWayType;
     provides rsal.robot.DeviceDriver with
             rsal.navigation.device.AmclDriver,
             rsal.navigation.device.ExploredDriver,

@@ -20,6 +20,7 @@ import rsal.navigation.control.GoalCheckerType;
 import rsal.navigation.control.PlannerType;
 import rsal.navigation.control.ProgressCheckerType;
 import rsal.navigation.recovery.RecoveryType;
+import rsal.navigation.traffic.TrafficType;
 import rsal.robot.DeviceDriver;
 import rsal.robot.DeviceKind;
 import rsal.scenario.installed.Providers;
@@ -46,6 +47,7 @@ final class Reference {
                                 "goalCheckers",
                                 "progressCheckers",
                                 "recoveries",
+                                "trafficRules",
                                 "deviceKinds",
                                 "topics",
                                 "readings",
@@ -73,6 +75,7 @@ final class Reference {
             case "progressCheckers" ->
                 kinds(InstalledKind.plugins("progressChecker"), ProgressCheckerType.class, ProgressCheckerType::key);
             case "recoveries" -> kinds(InstalledKind.plugins("recovery"), RecoveryType.class, RecoveryType::key);
+            case "trafficRules" -> kinds(InstalledKind.plugins("traffic"), TrafficType.class, TrafficType::key);
             case "deviceKinds" -> kinds(InstalledKind.devices(), DeviceKind.class, DeviceKind::key);
             case "topics" -> MessageTypes.topics();
             case "readings" -> MessageTypes.readings();

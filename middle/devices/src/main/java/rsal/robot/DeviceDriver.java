@@ -76,13 +76,26 @@ public interface DeviceDriver {
     /// @param robot with the devices made so far
     /// @param mapFromBase where the scenario says the robot starts; empty when it must find out
     /// @param random a stream of this device's own
+    /// @param team by which it hears devices of other robots
     record Context(
             String name,
             Robot robot,
             OccupancyGrid map,
             Optional<Pose2d> mapFromBase,
             Scheduler scheduler,
-            RandomGenerator random) {}
+            RandomGenerator random,
+            TeamLink team) {
+        /// Of a robot that hears no other.
+        public Context(
+                String name,
+                Robot robot,
+                OccupancyGrid map,
+                Optional<Pose2d> mapFromBase,
+                Scheduler scheduler,
+                RandomGenerator random) {
+            this(name, robot, map, mapFromBase, scheduler, random, TeamLink.ALONE);
+        }
+    }
 
     /// Places where robots of a model are to go.
     ///

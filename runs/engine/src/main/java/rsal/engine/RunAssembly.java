@@ -19,6 +19,7 @@ import rsal.engine.agent.Agents;
 import rsal.engine.agent.TypedAgent;
 import rsal.engine.communication.Faults;
 import rsal.engine.communication.RobotBreaker;
+import rsal.engine.communication.RobotRadio;
 import rsal.engine.communication.Traffic;
 import rsal.engine.event.ChattyTopics;
 import rsal.engine.event.EventLog;
@@ -115,7 +116,13 @@ final class RunAssembly implements AutoCloseable {
         this.faults = new Faults(plan, scheduler, eventLog, observer, traffic, breaker);
         this.world = new SimulatedWorld(plan, systems, scheduler, eventLog, observer, dynamicRobots, team, faults);
         this.proxies = new Proxies(systems, team, where, scheduler, eventLog);
-        this.deviceFactory = new DeviceFactory(plan, scheduler, eventLog, breaker, world, team, this::overlay);
+        var radio = new RobotRadio(
+                plan.communication(),
+                plan.map(),
+                scheduler,
+                robot -> where.mapFromBase(robot).map(Pose2d::position),
+                faults::isGone);
+        this.deviceFactory = new DeviceFactory(plan, scheduler, eventLog, breaker, world, team, radio, this::overlay);
         this.agents = new Agents(plan, scheduler, clock, eventLog, observer, faults, team, where, traffic, turns);
         this.drawnPlans = new DrawnPlans(team, scheduler);
         this.robotCommands = new RobotCommands(plan.map(), eventLog, faults, world, team, agents, goals);

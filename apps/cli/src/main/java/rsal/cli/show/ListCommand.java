@@ -40,6 +40,7 @@ public final class ListCommand extends Subcommand {
         goalCheckers,
         progressCheckers,
         recoveries,
+        trafficRules,
         metrics,
         mas,
         mrs,
@@ -88,6 +89,7 @@ public final class ListCommand extends Subcommand {
             case goalCheckers -> entries(InstalledKind.plugins("goalChecker"));
             case progressCheckers -> entries(InstalledKind.plugins("progressChecker"));
             case recoveries -> entries(InstalledKind.plugins("recovery"));
+            case trafficRules -> entries(InstalledKind.plugins("traffic"));
             case metrics -> entries(InstalledKind.metrics());
             case mas -> entries(InstalledKind.hosts());
             case mrs -> entries(InstalledKind.systems());

@@ -7,6 +7,7 @@ import rsal.navigation.avoid.VelocityFilter;
 import rsal.navigation.control.PlannerType;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.jumppoint.JumpPoints;
+import rsal.navigation.passage.Passages;
 import rsal.navigation.wavefront.CostMap;
 import rsal.navigation.wavefront.CostMap.Clearance;
 import rsal.navigation.wavefront.GlobalPlanner;
@@ -31,6 +32,10 @@ final class GlobalPlanners {
     private final ComputedOnce<Key, Wavefront> ways = new ComputedOnce<>();
     private final ComputedOnce<Key, JumpPoints> shortest = new ComputedOnce<>();
     private final ComputedOnce<Planned, GlobalPlanner> planners = new ComputedOnce<>();
+
+    private final ComputedOnce<Narrow, Passages> passages = new ComputedOnce<>();
+
+    private record Narrow(Key key, double body) {}
 
     private record Planned(Key key, PluginChoice planner) {}
 
@@ -65,6 +70,15 @@ final class GlobalPlanners {
                 new Planned(key, chosen),
                 _ -> chosen.as(PlannerType.class)
                         .create(chosen.arguments(), CostMap.of(map, field(map), key.clearance)));
+    }
+
+    /// Where two such robots cannot pass each other.
+    Passages passages(OccupancyGrid map, Footprint footprint, Arguments arguments) {
+        Clearance clearance = clearance(footprint, arguments);
+        double body = footprint.circumscribedRadius();
+        return passages.of(
+                new Narrow(new Key(map, clearance), body),
+                _ -> Passages.of(CostMap.of(map, field(map), clearance), field(map), body));
     }
 
     /// Who looks for shortest ways for such a robot.

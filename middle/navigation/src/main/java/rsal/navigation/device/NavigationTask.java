@@ -21,6 +21,7 @@ import rsal.navigation.device.PathNavigator.Parts;
 import rsal.navigation.device.PathNavigator.Settings;
 import rsal.navigation.device.PathNavigator.Situation;
 import rsal.navigation.recovery.Recovery;
+import rsal.navigation.traffic.TrafficAdvice;
 import rsal.navigation.wavefront.Plan;
 import rsal.navigation.wavefront.Route;
 import rsal.time.Scheduler;
@@ -47,6 +48,7 @@ final class NavigationTask {
     private final ProgressMonitor progress;
     private final RecoveryList recoveries;
     private final RecoveryList lookingAround;
+    private final GivingWay givingWay;
     private Pose2d mapFromBase = Pose2d.ORIGIN;
     private boolean knewPlace; // else that is nothing but the map's origin
     private boolean unsure; // where it is, when it last looked
@@ -74,6 +76,7 @@ final class NavigationTask {
         this.progress = new ProgressMonitor(parts.plugins().newProgressChecker(), settings.patience(), started);
         this.recoveries = parts.plugins().newRecoveries();
         this.lookingAround = parts.plugins().newLostRecovery();
+        this.givingWay = new GivingWay(parts, settings, scheduler);
     }
 
     /// Goes on where another task is, if its goal was near this one's: then the robot need not stop.
@@ -137,14 +140,17 @@ final class NavigationTask {
         knewPlace = true;
         unsure = confidence.isUnsure(now.now(), now.estimate());
         if (unsure) {
+            parts.traffic().stands(now.now(), mapFromBase);
             return lookAround(now);
         }
         arrived = goalChecker.isAtPlace(mapFromBase, now.motion().velocity());
         if (arrived) {
+            parts.traffic().stands(now.now(), mapFromBase);
             return turnToGoal(now);
         }
         Route path = planning.route();
         if (path == null) {
+            parts.traffic().stands(now.now(), mapFromBase);
             progress.standsAt(mapFromBase);
             plan(now);
             return Twist2d.STOP;
@@ -154,6 +160,18 @@ final class NavigationTask {
 
     private Twist2d follow(Route path, Situation now) {
         path.advance(mapFromBase.position());
+        TrafficAdvice advice = parts.traffic()
+                .advise(
+                        now.now(),
+                        mapFromBase,
+                        path.leftAlong(mapFromBase.position()).points());
+        if (!(advice instanceof TrafficAdvice.Proceed) && !recoveries.isRunning()) {
+            return giveWay(advice, path, now);
+        }
+        if (givingWay.isActive()) {
+            givingWay.end();
+            planning.plansSoon();
+        }
         Point2d target = planning.target(path, mapFromBase.position(), settings.lookahead());
         double ahead = mapFromBase.position().distanceTo(target);
         Recovery.Situation seen = see(now, left(path), mapFromBase.bearingTo(target), ahead);
@@ -168,6 +186,22 @@ final class NavigationTask {
                 "map",
                 new Progress(mapFromBase, path.remaining(), target, Duration.between(started, now.now()))));
         return recoveries.isRunning() ? recover(seen) : driveTo(target, path.end(), now);
+    }
+
+    /// Others go first: that the robot makes no progress then is nobody's failure.
+    private Twist2d giveWay(TrafficAdvice advice, Route path, Situation now) {
+        progress.resume(now.now());
+        if (planning.isDue(path, Duration.ZERO)) {
+            plan(now);
+        }
+        source.publish(new Stamped<>(
+                now.now(),
+                "map",
+                new Progress(
+                        mapFromBase, path.remaining(), mapFromBase.position(), Duration.between(started, now.now()))));
+        return advice instanceof TrafficAdvice.WaitAt place
+                ? givingWay.command(place, now, this::isStrange)
+                : Twist2d.STOP;
     }
 
     private Twist2d driveTo(Point2d target, Point2d end, Situation now) {
@@ -284,7 +318,8 @@ final class NavigationTask {
         if (planning.isPlanning()) {
             return;
         }
-        planning.plan(mapFromBase, now.obstacles(), progress.withoutProgress(now.now()), this::isStrange)
+        List<Point2d> closed = parts.traffic().closed(now.now());
+        planning.plan(mapFromBase, now.obstacles(), progress.withoutProgress(now.now()), this::isStrange, closed)
                 .thenAccept(plan -> {
                     if (!source.ended() && !unsure) {
                         adopt(plan);
@@ -305,7 +340,8 @@ final class NavigationTask {
                 onPath(before == null ? Double.POSITIVE_INFINITY : left(before), path.length() + Math.PI);
             }
             case Plan.None(var why) -> {
-                if (planning.route() == null) {
+                if (planning.route() == null
+                        || !parts.traffic().closed(scheduler.instant()).isEmpty()) {
                     end(new Result.NoPath(why));
                 }
             }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import rsal.data.Footprint;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
 import rsal.device.DriveBase;
@@ -22,6 +23,8 @@ import rsal.navigation.control.PlannerType;
 import rsal.navigation.control.ProgressCheckerType;
 import rsal.navigation.recovery.RecoveryType;
 import rsal.navigation.spread.ReachableSpace;
+import rsal.navigation.traffic.TrafficRule;
+import rsal.navigation.traffic.TrafficType;
 import rsal.robot.DeviceDriver;
 import rsal.robot.RobotModel;
 import rsal.settings.Arguments;
@@ -80,6 +83,11 @@ public final class NavigatorDriver implements DeviceDriver {
     private static final Parameter<PluginChoice> LOST_RECOVERY =
             Parameter.plugin("lostRecovery", "lookAround", RECOVERY_TYPES, "recovery while the robot is not localized");
 
+    private static final PluginKind TRAFFIC_TYPES =
+            PluginKind.of("traffic", TrafficType.class, ServiceLoader.load(TrafficType.class));
+    private static final Parameter<PluginChoice> TRAFFIC = Parameter.plugin(
+            "traffic", "rightOfWay", TRAFFIC_TYPES, "decides which robot goes first where two cannot pass");
+
     private final GlobalPlanners planners = new GlobalPlanners();
 
     @Override
@@ -112,6 +120,7 @@ public final class NavigatorDriver implements DeviceDriver {
         parameters.add(PROGRESS_CHECKER);
         parameters.add(RECOVERIES);
         parameters.add(LOST_RECOVERY);
+        parameters.add(TRAFFIC);
         parameters.add(MAX_SPEED);
         parameters.add(MAX_TURN_RATE);
         parameters.add(MAX_ACCELERATION);
@@ -190,7 +199,8 @@ public final class NavigatorDriver implements DeviceDriver {
                         controller,
                         planners.planner(context.map(), model.footprint(), arguments, arguments.get(PLANNER)),
                         plugins(context, arguments, driven, controller),
-                        planners.field(context.map())),
+                        planners.field(context.map()),
+                        traffic(context, arguments)),
                 new PathNavigator.Settings(
                         limits,
                         lookahead,
@@ -203,6 +213,21 @@ public final class NavigatorDriver implements DeviceDriver {
                 context.scheduler());
         navigator.start();
         return navigator;
+    }
+
+    private TrafficRule traffic(Context context, Arguments arguments) {
+        PluginChoice chosen = arguments.get(TRAFFIC);
+        Footprint footprint = context.robot().model().footprint();
+        return chosen.as(TrafficType.class)
+                .create(
+                        chosen.arguments(),
+                        new TrafficType.Participant(
+                                context.robot().id(),
+                                footprint.circumscribedRadius(),
+                                context.team(),
+                                () -> context.scheduler()
+                                        .compute(() -> planners.passages(context.map(), footprint, arguments)),
+                                context.scheduler().instant()));
     }
 
     private static TaskPlugins plugins(

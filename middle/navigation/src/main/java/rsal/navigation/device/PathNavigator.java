@@ -30,6 +30,7 @@ import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.ObstacleMemory;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.grid.DistanceField;
+import rsal.navigation.traffic.TrafficRule;
 import rsal.navigation.wavefront.GlobalPlanner;
 import rsal.time.Phase;
 import rsal.time.Scheduler;
@@ -56,6 +57,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
     ///
     /// @param plugins of which each goal has its own
     /// @param toNotFree how far the next wall of the map is
+    /// @param traffic who goes first where others are
     record Parts(
             DriveBase base,
             Localizer localizer,
@@ -64,7 +66,8 @@ final class PathNavigator extends DeviceCore implements Navigator {
             Controller avoidance,
             GlobalPlanner planner,
             TaskPlugins plugins,
-            DistanceField toNotFree) {}
+            DistanceField toNotFree,
+            TrafficRule traffic) {}
 
     /// @param lookahead how far ahead on the way it aims [m]
     /// @param view how far around what it sees counts [m]
@@ -116,7 +119,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         scheduler.every(BEAT, Phase.DEVICES, this::beat);
     }
 
-    /// Gives it another map, from its next goal on.
+    /// Gives it another map, from its next goal on. Other robots have other maps, so they do not agree on passages.
     void on(GlobalPlanner planner, DistanceField toNotFree) {
         parts = new Parts(
                 parts.base(),
@@ -126,7 +129,8 @@ final class PathNavigator extends DeviceCore implements Navigator {
                 parts.avoidance(),
                 planner,
                 parts.plugins(),
-                toNotFree);
+                toNotFree,
+                TrafficRule.NONE);
     }
 
     @Override
@@ -200,6 +204,9 @@ final class PathNavigator extends DeviceCore implements Navigator {
         if (now == null || paused || off) {
             held |= off;
             driving = false;
+            fresh(parts.localizer())
+                    .ifPresent(estimate -> parts.traffic()
+                            .stands(scheduler.instant(), estimate.value().mapFromBase()));
             if (!health().isOk()) {
                 look(); // it may be well again
             }

@@ -107,8 +107,13 @@ final class PathPlanning {
     /// Plans, around what is seen and not on the map if the robot makes no progress. Not while [#isPlanning].
     ///
     /// @param isStrange whether a place in the base frame is not on the map
+    /// @param closed places in the map frame that no path leads through, as they stay blocked
     CompletionStage<Plan> plan(
-            Pose2d mapFromBase, Obstacles around, Duration withoutProgress, Predicate<Point2d> isStrange) {
+            Pose2d mapFromBase,
+            Obstacles around,
+            Duration withoutProgress,
+            Predicate<Point2d> isStrange,
+            List<Point2d> closed) {
         isPlanning = true;
         planned = scheduler.instant();
         seen.removeIf(s -> s.time().plus(REMEMBERED).isBefore(planned));
@@ -117,7 +122,7 @@ final class PathPlanning {
         }
         var obstacles = seen.stream().map(Seen::place).toList();
         Point2d start = mapFromBase.position();
-        return scheduler.compute(() -> find(start, obstacles)).whenComplete((_, _) -> isPlanning = false);
+        return scheduler.compute(() -> find(start, obstacles, closed)).whenComplete((_, _) -> isPlanning = false);
     }
 
     private void remember(Pose2d mapFromBase, Obstacles around, Predicate<Point2d> isStrange) {
@@ -129,15 +134,23 @@ final class PathPlanning {
     }
 
     /// Around what is seen, or else as if it would go away.
-    private Plan find(Point2d start, List<Point2d> obstacles) {
+    private Plan find(Point2d start, List<Point2d> obstacles, List<Point2d> closed) {
         double slack = SLACK * tolerance;
         if (!obstacles.isEmpty()) {
-            Plan around = planner.plan(start, goal, Math.max(SEEN_SLACK, slack), obstacles);
+            var all = new ArrayList<>(obstacles);
+            all.addAll(closed);
+            Plan around = planner.plan(start, goal, Math.max(SEEN_SLACK, slack), all);
             if (around instanceof Plan.Found) {
                 return around;
             }
         }
-        return planner.plan(start, goal, slack, List.of());
+        Plan found = planner.plan(start, goal, slack, closed);
+        return found instanceof Plan.None(String why) && !closed.isEmpty()
+                ? new Plan.None(
+                        "A robot that does not move blocks a narrow passage at (%.1f, %.1f), and no other path leads there. %s"
+                                .formatted(
+                                        closed.getFirst().x(), closed.getFirst().y(), why))
+                : found;
     }
 
     void adopt(Path2d path) {

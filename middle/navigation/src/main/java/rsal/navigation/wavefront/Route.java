@@ -94,6 +94,20 @@ public final class Route {
         return new Path2d(left);
     }
 
+    /// The same, but from the robot to the path first, and then along it: what is left when the robot has left the path
+    /// for a while.
+    public Path2d leftAlong(Point2d position) {
+        var left = new ArrayList<Point2d>();
+        left.add(position);
+        left.add(at(done));
+        for (int i = 1; i < before.length; i++) {
+            if (before[i] > done || i == before.length - 1) {
+                left.add(points.get(i));
+            }
+        }
+        return new Path2d(left);
+    }
+
     private Point2d at(double way) {
         int leg = 1;
         while (leg < before.length - 1 && before[leg] < way) {

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.Executor;
+import java.util.function.Function;
 import java.util.random.RandomGenerator;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
@@ -21,6 +22,7 @@ import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
+import rsal.robot.TeamLink;
 import rsal.scene.Scene;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
@@ -53,6 +55,13 @@ final class NavigationRun {
 
     /// Gives each robot a software device.
     NavigationRun with(DeviceDriver driver, Map<String, ?> settings) {
+        return with(driver, settings, _ -> TeamLink.ALONE);
+    }
+
+    /// Gives each robot a software device that hears those of others.
+    ///
+    /// @param links by the robots' ids
+    NavigationRun with(DeviceDriver driver, Map<String, ?> settings, Function<String, TeamLink> links) {
         robots.replaceAll(robot -> robot.with(driver.create(
                 new DeviceDriver.Context(
                         driver.key(),
@@ -60,7 +69,8 @@ final class NavigationRun {
                         map,
                         starts.getOrDefault(robot.id(), Optional.empty()),
                         scheduler,
-                        random.split()),
+                        random.split(),
+                        links.apply(robot.id())),
                 Arguments.of(driver.parameters(), settings))));
         return this;
     }

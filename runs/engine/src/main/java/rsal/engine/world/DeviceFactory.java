@@ -13,6 +13,7 @@ import rsal.device.DriveBase;
 import rsal.engine.arbitration.CommandArbiter;
 import rsal.engine.arbitration.Teleoperation;
 import rsal.engine.communication.RobotBreaker;
+import rsal.engine.communication.RobotRadio;
 import rsal.engine.event.EventLog;
 import rsal.engine.report.Teammate;
 import rsal.engine.report.Words;
@@ -35,10 +36,12 @@ public final class DeviceFactory implements AutoCloseable {
     private final RobotBreaker breaker;
     private final SimulatedWorld world;
     private final RobotTeam team;
+    private final RobotRadio radio;
     private final Function<RobotSpec, Overlay> overlays;
     private final Map<String, List<GuardedScheduler>> lanes = new HashMap<>(); // of software devices, by robot
     private boolean closed;
 
+    /// @param radio by which devices of robots hear each other
     /// @param overlays by which real robots see what is simulated
     public DeviceFactory(
             RunPlan plan,
@@ -47,6 +50,7 @@ public final class DeviceFactory implements AutoCloseable {
             RobotBreaker breaker,
             SimulatedWorld world,
             RobotTeam team,
+            RobotRadio radio,
             Function<RobotSpec, Overlay> overlays) {
         this.plan = plan;
         this.scheduler = scheduler;
@@ -54,6 +58,7 @@ public final class DeviceFactory implements AutoCloseable {
         this.breaker = breaker;
         this.world = world;
         this.team = team;
+        this.radio = radio;
         this.overlays = overlays;
     }
 
@@ -100,7 +105,8 @@ public final class DeviceFactory implements AutoCloseable {
                 plan.map(),
                 mapFromBase,
                 lane,
-                new SplittableRandom(device.seed()));
+                new SplittableRandom(device.seed()),
+                radio.link(robot.id()));
         Device made = lane.making(() -> device.driver().create(context, device.options()));
         lanes.computeIfAbsent(robot.id(), _ -> new ArrayList<>()).add(lane);
         return made;
@@ -116,6 +122,7 @@ public final class DeviceFactory implements AutoCloseable {
 
     /// A robot has left: its software devices do nothing any more.
     public void leave(String robot) {
+        radio.leave(robot);
         Optional.ofNullable(lanes.remove(robot)).ifPresent(all -> all.forEach(GuardedScheduler::end));
     }
 

@@ -240,7 +240,8 @@ public abstract class ClassRules {
                         "rsal.navigation.device..",
                         "rsal.navigation.control..",
                         "rsal.navigation.parameter..",
-                        "rsal.navigation.recovery..")
+                        "rsal.navigation.recovery..",
+                        "rsal.navigation.traffic..")
                 .should()
                 .dependOnClassesThat(outside("rsal.data..", NAVIGATION)));
         check(noClasses()

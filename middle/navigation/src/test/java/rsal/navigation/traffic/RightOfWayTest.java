@@ -1,0 +1,149 @@
+package rsal.navigation.traffic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.concurrent.CompletableFuture;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rsal.data.OccupancyGrid;
+import rsal.data.Point2d;
+import rsal.data.Pose2d;
+import rsal.navigation.passage.DrawnMaps;
+import rsal.navigation.passage.Passages;
+
+/// Points that drive as they are advised, over a radio that loses messages.
+class RightOfWayTest {
+    private static final OccupancyGrid DOOR = DrawnMaps.of(0.2, """
+            ###########################################
+            #....................#....................#
+            #....................#....................#
+            #....................#....................#
+            #....................#....................#
+            #....................#....................#
+            #....................#....................#
+            #....................#....................#
+            #.........................................#
+            #.........................................#
+            #.........................................#
+            #.........................................#
+            #....................#....................#
+            #....................#....................#
+            #....................#....................#
+            #....................#....................#
+            #....................#....................#
+            #....................#....................#
+            ###########################################""");
+    private static final Passages PASSAGES = DrawnMaps.passages(DOOR);
+    private static final Point2d MIDDLE = new Point2d(4.3, 1.8);
+
+    /// One robot, a point that drives to and fro at 0.4 m/s.
+    private static final class Driver {
+        final RightOfWay rule;
+        final Point2d left;
+        final Point2d right;
+        Point2d place;
+        boolean toRight;
+        int crossings;
+
+        Driver(LossyLinks radio, String robot, double y, boolean toRight) {
+            this.rule = new RightOfWay(
+                    new TrafficType.Participant(
+                            robot,
+                            DrawnMaps.BODY,
+                            radio.link(robot),
+                            () -> CompletableFuture.completedStage(PASSAGES),
+                            Instant.EPOCH),
+                    new RightOfWay.Settings(3.5, 3, Duration.ofSeconds(60)));
+            this.left = new Point2d(0.8, y);
+            this.right = new Point2d(7.8, y);
+            this.toRight = toRight;
+            this.place = toRight ? left : right;
+        }
+
+        void step(Instant now) {
+            Point2d goal = toRight ? right : left;
+            var path = new ArrayList<Point2d>();
+            path.add(place);
+            if (toRight ? place.x() < MIDDLE.x() : place.x() > MIDDLE.x()) {
+                path.add(MIDDLE);
+            }
+            path.add(goal);
+            TrafficAdvice advice = rule.advise(now, new Pose2d(place.x(), place.y(), 0), path);
+            switch (advice) {
+                case TrafficAdvice.Proceed() -> move(path.get(1));
+                case TrafficAdvice.Halt() -> {}
+                case TrafficAdvice.WaitAt(Point2d waiting, Point2d _) -> move(waiting);
+            }
+            if (place.distanceTo(goal) < 0.05) {
+                toRight = !toRight;
+                crossings++;
+            }
+        }
+
+        private void move(Point2d to) {
+            double distance = place.distanceTo(to);
+            double share = distance < 0.04 ? 1 : 0.04 / distance;
+            place = new Point2d(place.x() + share * (to.x() - place.x()), place.y() + share * (to.y() - place.y()));
+        }
+
+        boolean isInside() {
+            return PASSAGES.index(place.x(), place.y()) >= 0;
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void nobodyMeetsAnybodyInADoorAndAllGetThrough(long seed) {
+        double loss = 0.05 * seed;
+        var radio = new LossyLinks(seed, loss);
+        var drivers = new ArrayList<Driver>();
+        for (int i = 0; i < 5; i++) {
+            drivers.add(new Driver(radio, "r" + i, 0.8 + 0.5 * i, i % 2 == 0));
+        }
+        for (int step = 0; step < 6000; step++) {
+            Instant now = Instant.EPOCH.plusMillis(100L * step);
+            drivers.forEach(driver -> driver.step(now));
+            long right = drivers.stream().filter(d -> d.isInside() && d.toRight).count();
+            long left = drivers.stream().filter(d -> d.isInside() && !d.toRight).count();
+            assertThat(Math.min(left, right)).as("at %d, seed %d", step, seed).isZero();
+        }
+        assertThat(drivers).allSatisfy(driver -> assertThat(driver.crossings).isGreaterThan(10));
+    }
+
+    @Test
+    void aRobotThatBreaksDownInADoorClosesIt() {
+        var radio = new LossyLinks(1, 0);
+        var one = new Driver(radio, "r1", 1.8, true);
+        var other = new Driver(radio, "r2", 1.2, false);
+        int step = 0;
+        while (!one.isInside() && step < 600) {
+            Instant now = Instant.EPOCH.plusMillis(100L * step++);
+            one.step(now);
+            other.step(now);
+        }
+        assertThat(one.isInside()).isTrue();
+        radio.silence("r1"); // it is dead, and says nothing any more
+        Instant broken = Instant.EPOCH.plusMillis(100L * step);
+        for (int i = 0; i < 590; i++) {
+            other.step(broken.plusMillis(100L * i));
+        }
+        assertThat(other.isInside()).isFalse();
+        assertThat(other.rule.closed(broken.plusSeconds(30))).isEmpty();
+        assertThat(other.rule.closed(broken.plusSeconds(65))).isNotEmpty();
+    }
+
+    @Test
+    void aRobotThatNobodyHearsDrivesAtOnce() {
+        var radio = new LossyLinks(1, 0);
+        var one = new Driver(radio, "r1", 1.8, true);
+        for (int step = 0; step < 200; step++) {
+            one.step(Instant.EPOCH.plusMillis(100L * step));
+        }
+        assertThat(one.crossings).isEqualTo(1);
+        assertThat(radio.said()).isLessThanOrEqualTo(12);
+    }
+}
