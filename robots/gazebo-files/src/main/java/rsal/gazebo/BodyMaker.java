@@ -219,7 +219,8 @@ final class BodyMaker {
             notes.add(
                     "mesh " + uri,
                     mesh.location(),
-                    "Mesh '%s' is left out: it is not found, or neither STL nor OBJ.".formatted(SdfText.shortened(uri)),
+                    "Mesh '%s' is left out: it is not found, or not STL, OBJ or COLLADA."
+                            .formatted(SdfText.shortened(uri)),
                     "Give its model a collision shape: a box or a cylinder.");
             return List.of();
         }

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.StringTokenizer;
 import rsal.model.xml.Transform.Point;
 
-/// The box around a mesh, along the axes of its file: STL as text or bytes, and OBJ.
+/// The box around a mesh, along the axes of its file: STL as text or bytes, OBJ, and COLLADA.
 ///
 /// @param low corner [m]
 /// @param high corner [m]
@@ -24,6 +24,9 @@ record MeshBounds(Point low, Point high) {
         String lower = name.toLowerCase(Locale.ROOT);
         if (lower.endsWith(".stl")) {
             return isBinary(mesh) ? binary(mesh) : text(mesh, "vertex");
+        }
+        if (lower.endsWith(".dae")) {
+            return ColladaMesh.bounds(mesh);
         }
         return lower.endsWith(".obj") ? text(mesh, "v") : Optional.empty();
     }
@@ -43,7 +46,7 @@ record MeshBounds(Point low, Point high) {
 
     private static Optional<MeshBounds> binary(byte[] mesh) {
         ByteBuffer bytes = bytes(mesh);
-        var extent = new Extent();
+        var extent = new MeshExtent();
         for (int at = HEADER; at + TRIANGLE <= mesh.length; at += TRIANGLE) {
             for (int corner = 0; corner < 3; corner++) {
                 int from = at + 12 + 12 * corner; // after the normal
@@ -55,7 +58,7 @@ record MeshBounds(Point low, Point high) {
 
     /// @param word with which lines of corners begin
     private static Optional<MeshBounds> text(byte[] mesh, String word) {
-        var extent = new Extent();
+        var extent = new MeshExtent();
         new String(mesh, StandardCharsets.ISO_8859_1).lines().forEach(line -> {
             var words = new StringTokenizer(line);
             if (words.countTokens() >= 4 && words.nextToken().equalsIgnoreCase(word)) {
@@ -71,28 +74,5 @@ record MeshBounds(Point low, Point high) {
 
     private static double number(StringTokenizer words) {
         return Double.parseDouble(words.nextToken());
-    }
-
-    private static final class Extent {
-        private final double[] low = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
-        private final double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
-
-        void add(double... corner) {
-            for (int i = 0; i < 3; i++) {
-                if (Double.isFinite(corner[i])) {
-                    low[i] = Math.min(low[i], corner[i]);
-                    high[i] = Math.max(high[i], corner[i]);
-                }
-            }
-        }
-
-        Optional<MeshBounds> bounds() {
-            for (int i = 0; i < 3; i++) {
-                if (!(low[i] <= high[i])) {
-                    return Optional.empty();
-                }
-            }
-            return Optional.of(new MeshBounds(new Point(low[0], low[1], low[2]), new Point(high[0], high[1], high[2])));
-        }
     }
 }

@@ -204,7 +204,7 @@ class SdfFormatTest {
         var worlds = Worlds.of(Worlds.model("binary", "", "<mesh><uri>model://m/a.stl</uri><scale>2 1 1</scale></mesh>")
                         + Worlds.model("text", "", "<mesh><uri>b.STL</uri></mesh>")
                         + Worlds.model("obj", "", "<mesh><uri>file://c.obj</uri></mesh>")
-                        + Worlds.model("dae", "", "<mesh><uri>d.dae</uri></mesh>"))
+                        + Worlds.model("glb", "", "<mesh><uri>d.glb</uri></mesh>"))
                 .and("worlds/m/a.stl", stl.array())
                 .and(
                         "worlds/b.STL",
@@ -220,7 +220,7 @@ class SdfFormatTest {
         assertThat(worlds.notes())
                 .containsExactly(
                         "Mesh 'model://m/a.stl' is taken for the box around it. So are 2 more.",
-                        "Mesh 'd.dae' is left out: it is not found, or neither STL nor OBJ.");
+                        "Mesh 'd.glb' is left out: it is not found, or not STL, OBJ or COLLADA.");
     }
 
     @Test

@@ -172,6 +172,19 @@ class SdfFuzzTest {
         }
     }
 
+    @Test
+    void aDamagedColladaMeshIsReadOrLeftOut() {
+        String world = GOOD.replace("m.stl", "m.dae");
+        for (long seed = 0; seed < Rounds.of(75, 10_000); seed++) {
+            var random = new Random(seed);
+            byte[] mesh = ColladaMeshTest.TABLE.getBytes(StandardCharsets.UTF_8);
+            for (int i = random.nextInt(6); i > 0; i--) {
+                mesh[random.nextInt(mesh.length)] = (byte) (32 + random.nextInt(95));
+            }
+            readOrRefuse("seed " + seed, worlds(world).and("worlds/m.dae", mesh));
+        }
+    }
+
     private static Worlds worlds(String text) {
         return new Worlds()
                 .and("worlds/test.sdf", text)
