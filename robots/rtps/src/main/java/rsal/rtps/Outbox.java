@@ -1,6 +1,8 @@
 package rsal.rtps;
 
+import java.net.InetSocketAddress;
 import java.util.Optional;
+import java.util.Set;
 import rsal.rtps.wire.GuidPrefix;
 import rsal.rtps.wire.MessageWriter;
 import rsal.rtps.wire.Submessage.Heartbeat;
@@ -62,8 +64,9 @@ final class Outbox {
         return messages.begin(GuidPrefix.UNKNOWN);
     }
 
-    void announce() {
-        network.announce(messages.message());
+    /// @param known addresses of participants that hear the multicast group, if there is one
+    void announce(Set<InetSocketAddress> known) {
+        network.announce(messages.message(), known);
     }
 
     /// Sends what was written.

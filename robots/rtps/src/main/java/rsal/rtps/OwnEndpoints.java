@@ -146,12 +146,19 @@ final class OwnEndpoints {
     ///
     /// @return when there is next something to do [ns]
     long tick(Outbox outbox, long now) {
-        long due = leaving.values().stream().reduce(Long.MAX_VALUE, Math::min);
+        var parts = new DueParts();
         for (SampleReader reader : readers.values()) {
-            due = Math.min(due, reader.tick(outbox, now));
+            reader.tick(parts, outbox, now);
         }
         for (SampleWriter writer : writers.values()) {
-            writer.tick(now);
+            writer.tick(parts, now);
+        }
+        parts.write();
+        long due = leaving.values().stream().reduce(Long.MAX_VALUE, Math::min);
+        for (SampleReader reader : readers.values()) {
+            due = Math.min(due, reader.due());
+        }
+        for (SampleWriter writer : writers.values()) {
             due = Math.min(due, writer.due());
         }
         return due;

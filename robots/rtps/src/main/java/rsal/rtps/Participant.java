@@ -3,6 +3,7 @@ package rsal.rtps;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -40,6 +41,7 @@ public final class Participant {
     private static final int FIRST_ANNOUNCEMENTS = 5;
     private static final long BETWEEN_FIRST_ANNOUNCEMENTS = SECOND / 10;
     private static final long BETWEEN_ANNOUNCEMENTS = 3 * SECOND / 2; // so that who was cut off is found within 2 s
+    private static final int FEW = 20; // participants; of more, each announces itself less often
 
     private final ParticipantData self;
     private final byte[] announced; // what it says of itself
@@ -57,6 +59,7 @@ public final class Participant {
     private int endpoints; // of others
     private int announcements;
     private long announceAt;
+    private long announceToAllAt; // also to those that are known, and may not hear the multicast group
     private long due;
     private long now;
     private long malformed;
@@ -228,7 +231,7 @@ public final class Participant {
         advance(time);
         for (int i = 0; i < 2; i++) {
             DiscoveryMessages.leave(outbox.toAll(), self.prefix());
-            outbox.announce();
+            outbox.announce(Set.of());
             others.values().forEach(other -> DiscoveryMessages.leave(outbox.to(other.metatraffic), self.prefix()));
             outbox.flush();
         }
@@ -280,23 +283,34 @@ public final class Participant {
     private void announce() {
         if (now >= announceAt) {
             DiscoveryMessages.announce(outbox.toAll(), announced);
-            outbox.announce();
+            outbox.announce(now >= announceToAllAt ? Set.of() : known());
             announcements++;
-            long usual = Math.clamp(self.lease() / 3, BETWEEN_FIRST_ANNOUNCEMENTS, BETWEEN_ANNOUNCEMENTS);
-            announceAt = now + (announcements < FIRST_ANNOUNCEMENTS ? BETWEEN_FIRST_ANNOUNCEMENTS : usual);
+            long longest = Math.max(self.lease() / 3, BETWEEN_FIRST_ANNOUNCEMENTS);
+            long usual = announcements < FIRST_ANNOUNCEMENTS ? BETWEEN_FIRST_ANNOUNCEMENTS : BETWEEN_ANNOUNCEMENTS;
+            announceAt = now + Math.min(usual * (1 + others.size() / FEW), longest);
+            announceToAllAt = now >= announceToAllAt ? now + longest : announceToAllAt;
         }
+    }
+
+    /// Where those that are known are told of the metatraffic.
+    private Set<InetSocketAddress> known() {
+        var known = new HashSet<InetSocketAddress>();
+        others.values().forEach(other -> known.addAll(other.metatraffic.addresses()));
+        return known;
     }
 
     /// @return when the next participant goes unless it announces itself again [ns]
     private long expire() {
         long earliest = Long.MAX_VALUE;
-        for (RemoteParticipant other : List.copyOf(others.values())) {
+        var gone = new ArrayList<RemoteParticipant>(0);
+        for (RemoteParticipant other : others.values()) {
             if (now >= other.expiry) {
-                lose(other);
+                gone.add(other);
             } else {
                 earliest = Math.min(earliest, other.expiry);
             }
         }
+        gone.forEach(this::lose);
         return earliest;
     }
 

@@ -137,11 +137,19 @@ public final class SampleReader {
     }
 
     /// @return when it next has something to ask for [ns]
-    long tick(Outbox outbox, long now) {
-        long due = Long.MAX_VALUE;
+    void tick(DueParts parts, Outbox outbox, long now) {
         for (WriterProxy writer : writers.values()) {
             writer.forgetOld(now);
-            writer.request(outbox, now);
+            if (writer.hasRequest(now)) {
+                parts.add(writer.addressee(), () -> writer.request(outbox, now));
+            }
+        }
+    }
+
+    /// When there is next something to do [ns].
+    long due() {
+        long due = Long.MAX_VALUE;
+        for (WriterProxy writer : writers.values()) {
             due = Math.min(due, writer.due());
         }
         return due;

@@ -413,12 +413,13 @@ public final class SampleWriter {
     }
 
     /// Tells readers what there is that did not answer, and sends fragments.
-    void tick(long now) {
+    /// Sends fragments that are due, and gathers the heartbeats that are.
+    void tick(DueParts parts, long now) {
         release(now);
         for (ReaderProxy reader : readers.values()) {
             stream(reader, now);
             if (reader.streams.isEmpty() && reader.heartbeatAt() <= now) {
-                heartbeat(reader, false);
+                parts.add(reader.addressee, () -> heartbeat(reader, false));
                 reader.reported(now);
             }
         }

@@ -13,6 +13,7 @@ import java.nio.channels.DatagramChannel;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -27,6 +28,7 @@ final class Sockets implements Transmitter, AutoCloseable {
 
     private final List<Way> ways;
     private final Optional<DatagramChannel> group;
+    private final List<DatagramChannel> channels;
     private final InetSocketAddress everybody;
     private final List<InetSocketAddress> peers;
     private volatile @Nullable IOException failure; // the newest
@@ -62,6 +64,8 @@ final class Sockets implements Transmitter, AutoCloseable {
             List<InetSocketAddress> peers) {
         this.ways = List.copyOf(ways);
         this.group = group;
+        channels =
+                Stream.concat(ways.stream().map(Way::channel), group.stream()).toList();
         this.everybody = everybody;
         this.peers = List.copyOf(peers);
     }
@@ -159,7 +163,7 @@ final class Sockets implements Transmitter, AutoCloseable {
     }
 
     List<DatagramChannel> channels() {
-        return Stream.concat(ways.stream().map(Way::channel), group.stream()).toList();
+        return channels;
     }
 
     /// Where it receives what is for it alone.
@@ -203,9 +207,13 @@ final class Sockets implements Transmitter, AutoCloseable {
     }
 
     @Override
-    public void announce(ByteBuffer datagram) {
+    public void announce(ByteBuffer datagram, Set<InetSocketAddress> known) {
         ways.forEach(way -> send(datagram, everybody, way));
-        peers.forEach(to -> send(datagram, to));
+        for (InetSocketAddress to : peers) {
+            if (group.isEmpty() || !known.contains(to)) {
+                send(datagram, to);
+            }
+        }
     }
 
     @Override

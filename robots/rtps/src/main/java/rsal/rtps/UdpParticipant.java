@@ -49,7 +49,8 @@ public final class UdpParticipant implements AutoCloseable {
     public static final int LOCAL_FRAGMENT = 60_000;
 
     private static final Logger LOG = System.getLogger(UdpParticipant.class.getName());
-    private static final int AT_ONCE = 64; // datagrams between two looks at the clock
+    private static final int AT_ONCE = 64; // datagrams of one socket
+    private static final int TURNS = 8; // of all sockets before what is due: answers to it may be among the datagrams
     private static final long MILLISECOND = 1_000_000; // ns
     private static final long FAREWELL = 500 * MILLISECOND;
 
@@ -320,8 +321,12 @@ public final class UdpParticipant implements AutoCloseable {
                 synchronized (participant) {
                     sleepsUntil = Long.MIN_VALUE; // it is awake
                 }
-                for (DatagramChannel channel : sockets.channels()) {
-                    receive(channel, buffer);
+                boolean isMore = true;
+                for (int i = 0; i < TURNS && isMore; i++) {
+                    isMore = false;
+                    for (DatagramChannel channel : sockets.channels()) {
+                        isMore |= receive(channel, buffer);
+                    }
                 }
             } catch (IOException e) {
                 sockets.failed(e);
@@ -345,12 +350,13 @@ public final class UdpParticipant implements AutoCloseable {
         }
     }
 
-    private void receive(DatagramChannel channel, ByteBuffer buffer) throws IOException {
+    /// @return whether there may be more
+    private boolean receive(DatagramChannel channel, ByteBuffer buffer) throws IOException {
         for (int i = 0; i < AT_ONCE && !isClosed; i++) {
             buffer.clear();
             var from = (InetSocketAddress) channel.receive(buffer);
             if (from == null) {
-                return;
+                return false;
             }
             if (isLocal && !from.getAddress().isLoopbackAddress()) {
                 continue; // the group's socket hears other machines, too
@@ -358,6 +364,7 @@ public final class UdpParticipant implements AutoCloseable {
             buffer.flip();
             locked(() -> participant.receive(buffer, from, clock.getAsLong()));
         }
+        return true;
     }
 
     /// Tells all others that it leaves, when reliable readers have all samples: at most half a second later.

@@ -339,10 +339,18 @@ final class WriterProxy implements SampleReader.Source {
                 .forEach(this::drop);
     }
 
+    boolean hasRequest(long now) {
+        return due <= now;
+    }
+
+    Addressee addressee() {
+        return addressee;
+    }
+
     /// Asks for what is missing, or whether there is anything, if that is due. While the receiver takes
     /// nothing, it asks for nothing, and says only which samples it has taken.
     void request(Outbox outbox, long now) {
-        if (due > now) {
+        if (!hasRequest(now)) {
             return;
         }
         requested = now;

@@ -86,6 +86,24 @@ class ParticipantTest {
         assertThat(network.sent()).isLessThan(16L * nodes * (nodes - 1));
     }
 
+    /// Announcements of n participants to each other are n² datagrams, so that of many each is rarer.
+    @Test
+    void manyAnnounceThemselvesLessOften() {
+        var network = new SimulatedNetwork(1, 0);
+        int nodes = 60;
+        for (int i = 0; i < nodes; i++) {
+            network.join();
+        }
+        network.run(Duration.ofSeconds(5));
+        long before = network.sent();
+        network.run(Duration.ofSeconds(18));
+        assertThat(network.sent() - before).as("one in 6 s").isBetween(2L * nodes * nodes, 4L * nodes * nodes);
+        Node late = network.join();
+        network.run(SOON);
+        assertThat(late.participant.participants()).hasSize(nodes);
+        assertThat(network.node(0).participant.participants()).hasSize(nodes);
+    }
+
     @Test
     void findEachOtherAndTheirEndpoints() {
         var network = new SimulatedNetwork(1, 0);

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.PriorityQueue;
+import java.util.Set;
 import java.util.SplittableRandom;
 import rsal.rtps.discovery.BuiltinEndpoint;
 import rsal.rtps.discovery.ParticipantData;
@@ -83,7 +84,7 @@ final class SimulatedNetwork {
         }
 
         @Override
-        public void announce(ByteBuffer datagram) {
+        public void announce(ByteBuffer datagram, Set<InetSocketAddress> known) {
             nodes.forEach(node -> fly(this, node, datagram)); // multicast comes back to the sender, too
         }
 

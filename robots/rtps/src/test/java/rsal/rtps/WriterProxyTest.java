@@ -6,6 +6,7 @@ import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import rsal.rtps.WriterProxy.Arrival;
@@ -82,7 +83,7 @@ class WriterProxyTest {
             }
 
             @Override
-            public void announce(ByteBuffer datagram) {
+            public void announce(ByteBuffer datagram, Set<InetSocketAddress> known) {
                 throw new AssertionError("Nothing is announced.");
             }
         };

@@ -2,6 +2,7 @@ package rsal.bench.rtps;
 
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
+import java.util.Set;
 import java.util.random.RandomGenerator;
 import rsal.rtps.Transmitter;
 import rsal.time.AllowedToReadWallClock;
@@ -44,10 +45,10 @@ final class LossyLink implements Transmitter {
     }
 
     @Override
-    public void announce(ByteBuffer datagram) {
+    public void announce(ByteBuffer datagram, Set<InetSocketAddress> known) {
         if (!isLost()) {
             announced = System.nanoTime();
-            sockets.announce(datagram);
+            sockets.announce(datagram, known);
         }
     }
 }
