@@ -157,9 +157,6 @@ final class ColladaMesh {
 
     /// First the second, then the first.
     private static double[] product(double[] a, double[] b) {
-        if (b == SAME) {
-            return a;
-        }
         var product = new double[12];
         for (int row = 0; row < 3; row++) {
             for (int column = 0; column < 4; column++) {

@@ -136,7 +136,7 @@ public final class SampleReader {
         receiver.accept(sample);
     }
 
-    /// @return when it next has something to ask for [ns]
+    /// Gathers what is to be asked for now.
     void tick(DueParts parts, Outbox outbox, long now) {
         for (WriterProxy writer : writers.values()) {
             writer.forgetOld(now);

@@ -2,8 +2,6 @@ package rsal.agents.patrol;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import rsal.agents.patrol.strategy.PatrolView;
@@ -35,16 +33,15 @@ final class PatrolTeam {
             }
         });
         present.put(self, new Heard(own, now));
-        List<String> names = new ArrayList<>(present.keySet());
-        view.setTeam(names.indexOf(self), names.size());
+        view.setTeam(present.headMap(self).size(), present.size());
         int places = view.graph().size();
-        for (int member = 0; member < names.size(); member++) {
-            Heard last = present.get(names.get(member));
+        int member = 0;
+        for (Heard last : present.values()) {
             PatrolReport report = last.report;
             boolean goes = isPlace(report.next(), places);
             double age = Duration.between(last.time, now).toMillis() / 1000.0;
             view.report(
-                    member,
+                    member++,
                     isPlace(report.last(), places) ? report.last() : PatrolView.NONE,
                     goes ? report.next() : PatrolView.NONE,
                     goes ? time + Math.max(0, report.remaining() - age) : Double.POSITIVE_INFINITY,

@@ -9,7 +9,8 @@ import java.util.TreeMap;
 import rsal.agent.StrategyComparison;
 import rsal.settings.Arguments;
 
-/// Compares patrol strategies on a graph of patrolling_sim ([GraphFile]), in the ideal model ([IdealPatrol]). Metrics, all
+/// Compares patrol strategies on a graph of patrolling_sim ([GraphFile]), in the ideal model ([IdealPatrol]). Metrics,
+/// all
 /// without the first quarter of a run, over places:
 ///
 /// * `meanIdleness`: the mean time since the last visit
