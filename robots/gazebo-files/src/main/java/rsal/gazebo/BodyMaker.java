@@ -213,6 +213,14 @@ final class BodyMaker {
     private List<Prism> mesh(XmlElement mesh, Transform in) {
         String uri = mesh.first("uri").map(XmlElement::text).orElse("");
         double[] scale = mesh.first("scale").map(node -> node.numbers(3)).orElse(new double[] {1, 1, 1});
+        if (mesh.first("submesh").isPresent()) {
+            notes.add(
+                    "submesh " + uri,
+                    mesh.location(),
+                    "A part ('submesh') of mesh '%s' is left out.".formatted(SdfText.shortened(uri)),
+                    "Give its model a collision shape: a box or a cylinder.");
+            return List.of();
+        }
         Optional<MeshBounds> bounds =
                 meshes.computeIfAbsent(mesh.location().file() + " " + uri, _ -> bounds(mesh, uri));
         if (bounds.isEmpty()) {

@@ -2,29 +2,38 @@ package rsal.gazebo;
 
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.StringTokenizer;
+import java.util.regex.Pattern;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import rsal.model.xml.XmlElement;
 import rsal.settings.InvalidSettings;
 
-/// The corners of a mesh in COLLADA 1.4.1 or 1.5 (Khronos, 2008), in m with z upwards: positions of all geometries that
-/// its scene shows, by the transforms of nodes. Skins are taken in the pose they were bound in; without a scene, all
-/// geometries are taken as they are.
+/// The corners of a mesh in COLLADA 1.4.1 or 1.5 (Khronos, 2008), in m: positions of all geometries that its scene
+/// shows,
+/// by the transforms of nodes. Skins are taken in the pose they were bound in; without a scene, all geometries are
+/// taken
+/// as they are. Axes are those of the file, whatever its `up_axis` says: Gazebo's loader does not turn meshes either.
 final class ColladaMesh {
     private static final int MOST_ELEMENTS = 500_000;
     private static final int MOST_INSTANCES = 10_000; // nodes may show others, which show others
+    private static final long MOST_CORNERS = 50_000_000; // of all instances
     private static final int DEEPEST = 50;
+    private static final Pattern SPACES = Pattern.compile("\\s+");
     private static final double[] SAME = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}; // three rows of four
 
     private final XmlElement root;
     private final MeshExtent extent = new MeshExtent();
     private final Map<String, XmlElement> nodes = new HashMap<>(); // by id
     private final Map<String, XmlElement> geometries = new HashMap<>();
-    private final Map<String, String> skins = new HashMap<>(); // geometries by controllers
+    private final Map<String, XmlElement> skins = new HashMap<>(); // by controllers
+    private final Map<XmlElement, double[]> corners = new IdentityHashMap<>(); // of geometries: x, y, z and so on
     private int instances;
+    private long shown; // corners
 
     private ColladaMesh(XmlElement root) {
         this.root = root;
@@ -36,20 +45,27 @@ final class ColladaMesh {
                 .flatMap(library -> library.all("controller"))
                 .forEach(controller -> controller
                         .first("skin")
-                        .ifPresent(
-                                skin -> skins.putIfAbsent(controller.attribute("id"), id(skin.attribute("source")))));
+                        .ifPresent(skin -> skins.putIfAbsent(controller.attribute("id"), skin)));
     }
 
     /// The box around a mesh.
     ///
-    /// @return empty when it is no COLLADA, or has no corner that can be read
+    /// @return empty when it is no COLLADA, has no corner that can be read, or shows more than can be
     static Optional<MeshBounds> bounds(byte[] file) {
         try {
-            XmlElement root = XmlElement.read(new String(file, StandardCharsets.UTF_8), "mesh", MOST_ELEMENTS, "");
+            XmlElement root = XmlElement.read(text(file), "mesh", MOST_ELEMENTS, "");
             return root.name().equals("COLLADA") ? new ColladaMesh(root).bounds() : Optional.empty();
         } catch (InvalidSettings | NumberFormatException _) {
             return Optional.empty();
         }
+    }
+
+    /// UTF-8, or UTF-16 where a mark says so.
+    private static String text(byte[] file) {
+        int mark = file.length < 2 ? 0 : (file[0] & 0xFF) << 8 | file[1] & 0xFF;
+        boolean isWide = mark == 0xFEFF || mark == 0xFFFE;
+        String text = new String(file, isWide ? StandardCharsets.UTF_16 : StandardCharsets.UTF_8);
+        return text.startsWith("\uFEFF") ? text.substring(1) : text;
     }
 
     private void learn(XmlElement node) {
@@ -58,7 +74,10 @@ final class ColladaMesh {
     }
 
     private Optional<MeshBounds> bounds() {
-        double[] zUp = zUp();
+        double meter = root.first("asset", "unit")
+                .map(unit -> unit.numbers("meter", 1)[0])
+                .orElse(1.0);
+        double[] inMeters = {meter, 0, 0, 0, 0, meter, 0, 0, 0, 0, meter, 0};
         Optional<XmlElement> scene = root.first("scene", "instance_visual_scene")
                 .map(instance -> id(instance.attribute("url")))
                 .flatMap(id -> root.all("library_visual_scenes")
@@ -67,28 +86,19 @@ final class ColladaMesh {
                         .findFirst());
         if (scene.isPresent()) {
             scene.get().all("node").forEach(this::learn);
-            scene.get().all("node").forEach(node -> show(node, zUp, 0));
+            scene.get().all("node").forEach(node -> show(node, inMeters, 0));
         } else {
-            geometries.values().forEach(geometry -> add(geometry, zUp));
+            geometries.values().forEach(geometry -> add(geometry, inMeters));
         }
-        return extent.bounds();
-    }
-
-    /// From the file's axes and unit.
-    private double[] zUp() {
-        double meter = root.first("asset", "unit")
-                .map(unit -> unit.numbers("meter", 1)[0])
-                .orElse(1.0);
-        String up = root.first("asset", "up_axis").map(XmlElement::text).orElse("Y_UP"); // as COLLADA says
-        return switch (up) {
-            case "Z_UP" -> new double[] {meter, 0, 0, 0, 0, meter, 0, 0, 0, 0, meter, 0};
-            case "X_UP" -> new double[] {0, -meter, 0, 0, 0, 0, -meter, 0, meter, 0, 0, 0};
-            default -> new double[] {meter, 0, 0, 0, 0, 0, -meter, 0, 0, meter, 0, 0};
-        };
+        boolean isWhole = instances <= MOST_INSTANCES && shown <= MOST_CORNERS;
+        return isWhole ? extent.bounds() : Optional.empty();
     }
 
     private void show(XmlElement node, double[] parent, int depth) {
-        if (++instances > MOST_INSTANCES || depth > DEEPEST) {
+        if (depth > DEEPEST) {
+            instances = MOST_INSTANCES; // it shows itself
+        }
+        if (++instances > MOST_INSTANCES) {
             return;
         }
         double[] meshFromNode = parent;
@@ -105,7 +115,7 @@ final class ColladaMesh {
                     }
                 }
                 case "instance_geometry" -> add(geometries.get(id), meshFromNode);
-                case "instance_controller" -> add(geometries.get(skins.get(id)), meshFromNode);
+                case "instance_controller" -> addSkin(skins.get(id), meshFromNode);
                 default -> {} // cameras, lights
             }
         }
@@ -170,44 +180,68 @@ final class ColladaMesh {
         return product;
     }
 
+    private void addSkin(@Nullable XmlElement skin, double[] meshFromNode) {
+        if (skin != null) {
+            double[] nodeFromSkin = skin.first("bind_shape_matrix")
+                    .map(matrix -> matrix.numbers(16))
+                    .orElse(SAME);
+            add(geometries.get(id(skin.attribute("source"))), product(meshFromNode, nodeFromSkin));
+        }
+    }
+
     private void add(@Nullable XmlElement geometry, double[] by) {
-        if (geometry == null) {
+        if (geometry == null || shown > MOST_CORNERS) {
             return;
         }
+        double[] its = corners.computeIfAbsent(geometry, ColladaMesh::corners);
+        shown += 1 + its.length / 3;
+        for (int i = 0; i < its.length && shown <= MOST_CORNERS; i += 3) {
+            extent.add(
+                    by[0] * its[i] + by[1] * its[i + 1] + by[2] * its[i + 2] + by[3],
+                    by[4] * its[i] + by[5] * its[i + 1] + by[6] * its[i + 2] + by[7],
+                    by[8] * its[i] + by[9] * its[i + 1] + by[10] * its[i + 2] + by[11]);
+        }
+    }
+
+    /// x, y, z of all positions.
+    private static double[] corners(XmlElement geometry) {
         Optional<XmlElement> mesh = geometry.first("mesh");
         List<String> positions = mesh.flatMap(found -> found.first("vertices")).stream()
                 .flatMap(vertices -> vertices.all("input"))
                 .filter(input -> input.attribute("semantic").equals("POSITION"))
                 .map(input -> id(input.attribute("source")))
                 .toList();
-        mesh.stream()
+        return mesh.stream()
                 .flatMap(found -> found.all("source"))
                 .filter(source -> positions.contains(source.attribute("id")))
-                .forEach(source -> addCorners(source, by));
+                .flatMapToDouble(ColladaMesh::positions)
+                .toArray();
     }
 
-    private void addCorners(XmlElement source, double[] by) {
+    private static DoubleStream positions(XmlElement source) {
         Optional<XmlElement> accessor = source.first("technique_common", "accessor");
         int stride = accessor.map(found -> (int) found.numbers("stride", 3)[0]).orElse(3);
         int offset = accessor.map(found -> (int) found.numbers("offset", 0)[0]).orElse(0);
-        var words = new StringTokenizer(
-                source.first("float_array").map(XmlElement::text).orElse(""));
-        for (int skipped = 0; skipped < offset && words.hasMoreTokens(); skipped++) {
-            words.nextToken();
+        double[] numbers = SPACES.splitAsStream(
+                        source.first("float_array").map(XmlElement::text).orElse(""))
+                .filter(word -> !word.isEmpty())
+                .mapToDouble(ColladaMesh::number)
+                .toArray();
+        if (stride < 3 || offset < 0 || numbers.length - offset < 3) {
+            return DoubleStream.empty();
         }
-        var corner = new double[3];
-        for (int i = 0; stride >= 3 && words.hasMoreTokens(); i = (i + 1) % stride) {
-            String word = words.nextToken();
-            if (i < 3) {
-                corner[i] = Double.parseDouble(word);
-            }
-            if (i == 2) {
-                extent.add(
-                        by[0] * corner[0] + by[1] * corner[1] + by[2] * corner[2] + by[3],
-                        by[4] * corner[0] + by[5] * corner[1] + by[6] * corner[2] + by[7],
-                        by[8] * corner[0] + by[9] * corner[1] + by[10] * corner[2] + by[11]);
-            }
-        }
+        int count = (numbers.length - offset - 3) / stride + 1;
+        return IntStream.range(0, count)
+                .flatMap(corner -> IntStream.range(offset + corner * stride, offset + corner * stride + 3))
+                .mapToDouble(i -> numbers[i]);
+    }
+
+    private static double number(String word) {
+        return switch (word) { // XML's words
+            case "INF" -> Double.POSITIVE_INFINITY;
+            case "-INF" -> Double.NEGATIVE_INFINITY;
+            default -> Double.parseDouble(word);
+        };
     }
 
     private static String id(String url) {

@@ -2,13 +2,16 @@ package rsal.gazebo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Optional;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 class ColladaMeshTest {
-    /// A plate of 2 x 1 at a height of 0.7, in cm and with y upwards, and a leg that a node of the library shows twice.
+    /// A plate of 2 x 1 at y = 0.7, in cm, and a leg that a node of the library shows twice.
     static final String TABLE = """
             <?xml version="1.0" encoding="utf-8"?>
             <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
@@ -41,7 +44,6 @@ class ColladaMeshTest {
                 <node><matrix>1 0 0 0  0 1 0 70  0 0 1 0  0 0 0 1</matrix><instance_geometry url="#plate"/></node>
                 <node><translate>90 0 0</translate><instance_node url="#foot"/></node>
                 <node><translate>-120 0 0</translate><scale>1 1.1 1</scale><instance_node url="#foot"/></node>
-                <node id="loop"><instance_node url="#loop"/></node>
               </visual_scene></library_visual_scenes>
               <scene><instance_visual_scene url="#scene"/></scene>
             </COLLADA>
@@ -61,20 +63,59 @@ class ColladaMeshTest {
     }
 
     @Test
-    void whatTheSceneShowsIsInMetersWithZUpwards() {
-        assertBounds(TABLE, -1.2, -0.5, 0, 1, 0.5, 0.7);
+    void whatTheSceneShowsIsInMeters() {
+        assertBounds(TABLE, -1.2, 0, -0.5, 1, 0.7, 0.5);
     }
 
     @Test
-    void axesAreThoseOfTheFile() {
+    void axesAreThoseOfTheFileAsInGazebo() {
         assertBounds(TABLE.replace("Y_UP", "Z_UP"), -1.2, 0, -0.5, 1, 0.7, 0.5);
-        assertBounds(TABLE.replace("Y_UP", "X_UP"), -0.7, -0.5, -1.2, 0, 0.5, 1);
     }
 
     @Test
     void withoutASceneAllGeometriesCount() {
         assertBounds(
-                TABLE.replace("instance_visual_scene", "instance_physics_scene"), -1, -99.99, 0, 99.99, 0.5, 99.99);
+                TABLE.replace("instance_visual_scene", "instance_physics_scene"), -1, 0, -0.5, 99.99, 99.99, 99.99);
+    }
+
+    @Test
+    void skinsAreWhereTheyWereBound() {
+        String skin = """
+                <library_controllers><controller id="actor"><skin source="#plate">
+                  <bind_shape_matrix>0.5 0 0 0  0 0.5 0 10  0 0 0.5 0  0 0 0 1</bind_shape_matrix>
+                </skin></controller></library_controllers><library_nodes>""";
+        String mesh = TABLE.replace("<library_nodes>", skin)
+                .replace("<instance_geometry url=\"#plate\"/>", "<instance_controller url=\"#actor\"/>")
+                .replace("<instance_node url=\"#foot\"/>", "");
+        assertBounds(mesh, -0.5, 0.8, -0.25, 0.5, 0.8, 0.25);
+    }
+
+    @Test
+    void filesMayHaveAMarkOfTheirEncoding() {
+        for (Charset charset : List.of(StandardCharsets.UTF_8, StandardCharsets.UTF_16BE, StandardCharsets.UTF_16LE)) {
+            String marked = "\uFEFF" + TABLE.replace(" encoding=\"utf-8\"", "");
+            assertThat(MeshBounds.of("t.dae", marked.getBytes(charset)))
+                    .as("%s", charset)
+                    .isEqualTo(bounds(TABLE));
+        }
+    }
+
+    @Test
+    void cornersThatAreNotFiniteAreLeftOut() {
+        assertBounds(TABLE.replace("100 0 -50</float_array>", "100 INF NaN</float_array>"), -1.2, 0, -0.5, 1, 0.7, 0.5);
+    }
+
+    @Test
+    @Timeout(20)
+    void whatShowsTooMuchHasNoBounds() {
+        String loop = "<node id=\"loop\"><instance_node url=\"#loop\"/>";
+        assertThat(bounds(TABLE.replace("<node><translate>90", loop + "<translate>90")))
+                .isEmpty();
+        String many = "<instance_geometry url=\"#plate\"/>".repeat(400_000);
+        String large = "1 2 3 ".repeat(100_000);
+        assertThat(bounds(TABLE.replace("<instance_geometry url=\"#plate\"/>", many)
+                        .replace("-100 0 -50 100 0 50", large)))
+                .isEmpty();
     }
 
     @Test

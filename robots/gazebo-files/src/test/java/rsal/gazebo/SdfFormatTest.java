@@ -204,6 +204,7 @@ class SdfFormatTest {
         var worlds = Worlds.of(Worlds.model("binary", "", "<mesh><uri>model://m/a.stl</uri><scale>2 1 1</scale></mesh>")
                         + Worlds.model("text", "", "<mesh><uri>b.STL</uri></mesh>")
                         + Worlds.model("obj", "", "<mesh><uri>file://c.obj</uri></mesh>")
+                        + Worlds.model("part", "", "<mesh><uri>c.obj</uri><submesh><name>p</name></submesh></mesh>")
                         + Worlds.model("glb", "", "<mesh><uri>d.glb</uri></mesh>"))
                 .and("worlds/m/a.stl", stl.array())
                 .and(
@@ -220,6 +221,7 @@ class SdfFormatTest {
         assertThat(worlds.notes())
                 .containsExactly(
                         "Mesh 'model://m/a.stl' is taken for the box around it. So are 2 more.",
+                        "A part ('submesh') of mesh 'c.obj' is left out.",
                         "Mesh 'd.glb' is left out: it is not found, or not STL, OBJ or COLLADA.");
     }
 

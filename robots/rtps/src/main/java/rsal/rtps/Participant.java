@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import rsal.rtps.WriterProxy.Arrival;
 import rsal.rtps.discovery.BuiltinEndpoint;
 import rsal.rtps.discovery.EndpointData;
@@ -40,11 +41,14 @@ public final class Participant {
     private static final long SECOND = 1_000_000_000; // ns
     private static final int FIRST_ANNOUNCEMENTS = 5;
     private static final long BETWEEN_FIRST_ANNOUNCEMENTS = SECOND / 10;
-    private static final long BETWEEN_ANNOUNCEMENTS = 3 * SECOND / 2; // so that who was cut off is found within 2 s
+    private static final long BETWEEN_ANNOUNCEMENTS = 3 * SECOND / 2; // of few: who was cut off is found within 2 s
     private static final int FEW = 20; // participants; of more, each announces itself less often
+    private static final int OF_LEASE = 6; // announcements within a lease at least, of which some may be lost
+    private static final int TO_KNOWN = 3; // of these, to those that may not hear the multicast group
 
     private final ParticipantData self;
     private final byte[] announced; // what it says of itself
+    private final Set<InetSocketAddress> here; // where it hears what it sends itself
     private final RtpsLimits limits;
     private final GraphListener graph;
     private final Outbox outbox;
@@ -59,9 +63,10 @@ public final class Participant {
     private int endpoints; // of others
     private int announcements;
     private long announceAt;
-    private long announceToAllAt; // also to those that are known, and may not hear the multicast group
+    private long announceToKnownAt;
     private long due;
     private long now;
+    private boolean isToGroup; // the datagram that is being received
     private long malformed;
     private long surplus;
 
@@ -82,6 +87,9 @@ public final class Participant {
         }
         this.self = self;
         announced = DiscoveryMessages.parameters(self::write);
+        here = self.metatraffic().stream()
+                .flatMap(each -> each.unicast().stream())
+                .collect(Collectors.toUnmodifiableSet());
         this.limits = limits;
         this.graph = graph;
         this.now = now;
@@ -90,6 +98,7 @@ public final class Participant {
         budget = new AssemblyBudget(limits);
         exchange = new WriterExchange(outbox, fragmentSize, limits);
         announceAt = now;
+        announceToKnownAt = now;
         due = now;
         for (BuiltinEndpoint builtin : BuiltinEndpoint.RELIABLE) {
             Qos qos = Qos.LATCHED.keep(Qos.KEEP_ALL);
@@ -238,8 +247,10 @@ public final class Participant {
     }
 
     /// @param datagram from its position to its limit; used again afterwards
-    public void receive(ByteBuffer datagram, InetSocketAddress from, long time) {
+    /// @param isToGroup whether it came by the multicast group
+    public void receive(ByteBuffer datagram, InetSocketAddress from, boolean isToGroup, long time) {
         advance(time);
+        this.isToGroup = isToGroup;
         try {
             MessageReader.read(datagram, (origin, submessage) -> receive(origin, submessage, from));
         } catch (InvalidRtps e) {
@@ -283,19 +294,26 @@ public final class Participant {
     private void announce() {
         if (now >= announceAt) {
             DiscoveryMessages.announce(outbox.toAll(), announced);
-            outbox.announce(now >= announceToAllAt ? Set.of() : known());
+            boolean isToKnown = now >= announceToKnownAt;
+            outbox.announce(isToKnown ? here : known());
             announcements++;
-            long longest = Math.max(self.lease() / 3, BETWEEN_FIRST_ANNOUNCEMENTS);
+            long toKnown = Math.max(self.lease() / TO_KNOWN, BETWEEN_FIRST_ANNOUNCEMENTS);
+            long longest = Math.max(self.lease() / OF_LEASE, Math.min(BETWEEN_ANNOUNCEMENTS, toKnown));
             long usual = announcements < FIRST_ANNOUNCEMENTS ? BETWEEN_FIRST_ANNOUNCEMENTS : BETWEEN_ANNOUNCEMENTS;
-            announceAt = now + Math.min(usual * (1 + others.size() / FEW), longest);
-            announceToAllAt = now >= announceToAllAt ? now + longest : announceToAllAt;
+            announceToKnownAt = isToKnown ? now + toKnown : announceToKnownAt;
+            announceAt = Math.min(now + Math.min(usual * (1 + others.size() / FEW), longest), announceToKnownAt);
         }
     }
 
-    /// Where those that are known are told of the metatraffic.
+    /// Where those hear that are known, and whose own announcements came by the multicast group lately: most likely,
+    /// they hear ours there, too.
     private Set<InetSocketAddress> known() {
-        var known = new HashSet<InetSocketAddress>();
-        others.values().forEach(other -> known.addAll(other.metatraffic.addresses()));
+        var known = new HashSet<InetSocketAddress>(here);
+        for (RemoteParticipant other : others.values()) {
+            if (other.isInGroup(now)) {
+                known.addAll(other.metatraffic.addresses());
+            }
+        }
         return known;
     }
 
@@ -400,7 +418,7 @@ public final class Participant {
     }
 
     private void isAlive(RemoteParticipant other) {
-        other.isAlive(now);
+        other.isAlive(now, isToGroup);
         wake(other.expiry);
     }
 

@@ -17,6 +17,7 @@ final class RemoteParticipant {
     final Addressee userTraffic;
     final Map<Guid, EndpointData> endpoints = new LinkedHashMap<>();
     private ByteBuffer said = ByteBuffer.allocate(0); // the newest that it said of itself
+    private long inGroupUntil = Long.MIN_VALUE; // [ns]
     long expiry; // when it is gone unless it announces itself again [ns]
 
     RemoteParticipant(ParticipantData data, Addressee metatraffic, Addressee userTraffic) {
@@ -41,7 +42,18 @@ final class RemoteParticipant {
         return said.hasRemaining() && said.equals(payload);
     }
 
-    void isAlive(long now) {
-        expiry = now + Math.clamp(data.lease(), LEAST_LEASE, MOST_LEASE);
+    /// @param isToGroup whether it said so to the multicast group
+    void isAlive(long now, boolean isToGroup) {
+        expiry = now + lease();
+        inGroupUntil = isToGroup ? expiry : inGroupUntil;
+    }
+
+    private long lease() {
+        return Math.clamp(data.lease(), LEAST_LEASE, MOST_LEASE);
+    }
+
+    /// Whether the multicast group has carried an announcement of it within its lease.
+    boolean isInGroup(long now) {
+        return now < inGroupUntil;
     }
 }

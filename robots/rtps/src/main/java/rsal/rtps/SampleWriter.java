@@ -412,8 +412,7 @@ public final class SampleWriter {
         });
     }
 
-    /// Tells readers what there is that did not answer, and sends fragments.
-    /// Sends fragments that are due, and gathers the heartbeats that are.
+    /// Sends fragments that are due, and gathers the heartbeats that are: of readers that did not answer.
     void tick(DueParts parts, long now) {
         release(now);
         for (ReaderProxy reader : readers.values()) {

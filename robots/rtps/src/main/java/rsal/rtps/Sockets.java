@@ -166,6 +166,11 @@ final class Sockets implements Transmitter, AutoCloseable {
         return channels;
     }
 
+    /// Whether this is the socket of the multicast group.
+    boolean isGroup(DatagramChannel channel) {
+        return group.filter(channel::equals).isPresent();
+    }
+
     /// Where it receives what is for it alone.
     List<InetSocketAddress> here() {
         return ways.stream().map(Way::here).toList();

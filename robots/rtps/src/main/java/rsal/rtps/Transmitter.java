@@ -11,7 +11,7 @@ public interface Transmitter {
 
     /// Sends to all who may be there: the multicast group, and addresses where somebody may listen.
     ///
-    /// @param known addresses of participants that are known. Where there is a multicast group, they hear it
-    ///     there, and need no datagram of their own
+    /// @param known addresses of participants that hear the multicast group, where there is one. They need
+    ///     no datagram of their own
     void announce(ByteBuffer datagram, Set<InetSocketAddress> known);
 }

@@ -362,7 +362,7 @@ public final class UdpParticipant implements AutoCloseable {
                 continue; // the group's socket hears other machines, too
             }
             buffer.flip();
-            locked(() -> participant.receive(buffer, from, clock.getAsLong()));
+            locked(() -> participant.receive(buffer, from, sockets.isGroup(channel), clock.getAsLong()));
         }
         return true;
     }

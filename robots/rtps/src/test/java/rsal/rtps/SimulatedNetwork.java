@@ -31,7 +31,8 @@ final class SimulatedNetwork {
     private boolean doubles;
 
     /// A datagram on its way.
-    private record Flight(long arrival, long number, Node from, Node to, byte[] bytes) implements Comparable<Flight> {
+    private record Flight(long arrival, long number, Node from, Node to, boolean isToGroup, byte[] bytes)
+            implements Comparable<Flight> {
         @Override
         public int compareTo(Flight other) {
             return arrival != other.arrival ? Long.compare(arrival, other.arrival) : Long.compare(number, other.number);
@@ -61,6 +62,7 @@ final class SimulatedNetwork {
         final Participant participant;
         private boolean isUp = true;
         private boolean isMute;
+        private boolean hearsGroup = true;
 
         private Node(int number, int host, RtpsLimits limits, GraphListener graph, Duration lease) {
             address = new InetSocketAddress(host(host), PORT);
@@ -80,12 +82,19 @@ final class SimulatedNetwork {
 
         @Override
         public void send(ByteBuffer datagram, InetSocketAddress to) {
-            nodes.stream().filter(node -> node.address.equals(to)).forEach(node -> fly(this, node, datagram));
+            nodes.stream().filter(node -> node.address.equals(to)).forEach(node -> fly(this, node, false, datagram));
         }
 
         @Override
         public void announce(ByteBuffer datagram, Set<InetSocketAddress> known) {
-            nodes.forEach(node -> fly(this, node, datagram)); // multicast comes back to the sender, too
+            for (Node node : nodes) { // multicast comes back to the sender, too
+                if (node.hearsGroup) {
+                    fly(this, node, true, datagram);
+                }
+                if (!known.contains(node.address)) {
+                    fly(this, node, false, datagram);
+                }
+            }
         }
 
         /// It falls silent, and hears nothing.
@@ -96,6 +105,11 @@ final class SimulatedNetwork {
         /// From now on, nothing that it sends arrives anywhere, or all does.
         void mute(boolean is) {
             isMute = is;
+        }
+
+        /// From now on, it hears nothing that others send to the multicast group, as in many wireless networks.
+        void ignoreGroup() {
+            hearsGroup = false;
         }
 
         /// @return whether the writer had room
@@ -114,7 +128,7 @@ final class SimulatedNetwork {
         }
     }
 
-    private void fly(Node from, Node to, ByteBuffer datagram) {
+    private void fly(Node from, Node to, boolean isToGroup, ByteBuffer datagram) {
         if (!from.isUp || from.isMute || random.nextDouble() < loss) {
             return;
         }
@@ -123,7 +137,7 @@ final class SimulatedNetwork {
         int copies = doubles && random.nextInt(10) == 0 ? 2 : 1;
         for (int i = 0; i < copies; i++) {
             long delay = MILLISECOND / 20 + random.nextLong(loss > 0 ? MILLISECOND : MILLISECOND / 20);
-            flights.add(new Flight(now + delay, sent++, from, to, bytes));
+            flights.add(new Flight(now + delay, sent++, from, to, isToGroup, bytes));
         }
     }
 
@@ -156,7 +170,7 @@ final class SimulatedNetwork {
 
     /// Anything at all arrives, as from outside.
     void inject(Node to, byte[] bytes, InetSocketAddress from) {
-        to.participant.receive(ByteBuffer.wrap(bytes), from, now);
+        to.participant.receive(ByteBuffer.wrap(bytes), from, false, now);
     }
 
     long now() {
@@ -184,7 +198,8 @@ final class SimulatedNetwork {
             while (!flights.isEmpty() && flights.peek().arrival <= now) {
                 Flight flight = flights.poll();
                 if (flight.to.isUp) {
-                    flight.to.participant.receive(ByteBuffer.wrap(flight.bytes), flight.from.address, now);
+                    flight.to.participant.receive(
+                            ByteBuffer.wrap(flight.bytes), flight.from.address, flight.isToGroup, now);
                 }
             }
         }
