@@ -325,7 +325,8 @@ class KeepAllTest {
         network.run(Duration.ofSeconds(2));
         long before = network.sent();
         network.run(Duration.ofSeconds(30));
-        assertThat(network.sent() - before).isLessThan(2 * 2 * 21 + 2 * 70); // announcements, two heartbeats a second
+        assertThat(network.sent() - before)
+                .isLessThan(2 * 2 * 24 + 2 * 10 + 2 * 70); // announcements, two heartbeats a second
     }
 
     /// What is written at once to a reader that acknowledges nothing takes little memory: the newest arrive.
