@@ -215,6 +215,50 @@ public final class DistanceField {
                 : Double.POSITIVE_INFINITY;
     }
 
+    /// The same in several directions, all at once: each waits for memory while the others go on.
+    ///
+    /// @param cos of the directions
+    /// @param sin the same
+    /// @param from index of the first direction
+    /// @param into for each direction from the first on, as [#firstHit]; its length says how many there are
+    public void firstHits(double x, double y, double[] cos, double[] sin, int from, double limit, double[] into) {
+        int[] under = new int[into.length]; // those that have hit nothing yet
+        for (int i = 0; i < under.length; i++) {
+            under[i] = i;
+            into[i] = 0;
+        }
+        float[] field = meters;
+        double slack = resolution * Math.sqrt(2);
+        double least = resolution / 2;
+        double column = (x - originX) * cellsPerMeter;
+        double row = (y - originY) * cellsPerMeter;
+        int going = limit > 0 ? under.length : 0;
+        while (going > 0) {
+            int still = 0;
+            for (int k = 0; k < going; k++) {
+                int ray = under[k];
+                double range = into[ray];
+                double c = column + cos[from + ray] * cellsPerMeter * range; // as in #ray, to the bit
+                double r = row + sin[from + ray] * cellsPerMeter * range;
+                boolean isOnMap = c >= 0 && c < width && r >= 0 && r < height;
+                double free = isOnMap ? field[((int) r) * width + (int) c] : 0;
+                if (free >= least) {
+                    double next = range + Math.max(free - slack, least);
+                    into[ray] = next;
+                    under[still] = ray;
+                    still += next < limit ? 1 : 0;
+                }
+            }
+            going = still;
+        }
+        for (int ray = 0; ray < into.length; ray++) {
+            double range = into[ray];
+            boolean hits =
+                    range == 0 || (range < limit && contains(x + cos[from + ray] * range, y + sin[from + ray] * range));
+            into[ray] = hits ? range : Double.POSITIVE_INFINITY;
+        }
+    }
+
     /// Whether a place in the map frame is on the map.
     public boolean contains(double x, double y) {
         double column = Math.floor((x - originX) / resolution);
