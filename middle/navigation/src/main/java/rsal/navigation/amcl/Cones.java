@@ -128,14 +128,8 @@ final class Cones {
     }
 
     private double fromMiddle(int cell, int direction) {
-        double[] rays = new double[2 * raysAside + 1];
         int first = Math.floorMod(direction - raysAside, DIRECTIONS);
-        toOccupied.firstHits(middleX(cell), middleY(cell), COS, SIN, first, FARTHEST, rays);
-        double nearest = Double.POSITIVE_INFINITY;
-        for (double range : rays) {
-            nearest = Math.min(nearest, range);
-        }
-        return nearest;
+        return toOccupied.nearestHit(middleX(cell), middleY(cell), COS, SIN, first, 2 * raysAside + 1, FARTHEST);
     }
 
     private byte[] around(double x, double y) {

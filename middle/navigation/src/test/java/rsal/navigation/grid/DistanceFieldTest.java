@@ -3,6 +3,7 @@ package rsal.navigation.grid;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
@@ -63,6 +64,9 @@ class DistanceFieldTest {
             int from = random.nextInt(directions);
             double[] hits = new double[random.nextInt(directions - from)];
             field.firstHits(x, y, cos, sin, from, limit, hits);
+            assertThat(field.nearestHit(x, y, cos, sin, from, hits.length, limit))
+                    .as("seed %d, (%s, %s), from %d, limit %s", seed, x, y, from, limit)
+                    .isEqualTo(Arrays.stream(hits).min().orElse(Double.POSITIVE_INFINITY));
             for (int i = 0; i < hits.length; i++) {
                 assertThat(hits[i])
                         .as("seed %d, (%s, %s), direction %d, limit %s", seed, x, y, from + i, limit)
