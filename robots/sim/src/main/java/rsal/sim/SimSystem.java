@@ -143,15 +143,15 @@ final class SimSystem implements RobotSystem {
         }
         int since = team.changes();
         List<List<SimRobot>> turns = tasks(robots, now);
-        List<List<SimRobot>> tasks = turns.size() < 2 ? turns : tasks(neighbors.order(robots, since), now);
+        boolean many = turns.size() > 1; // else the one task looks and tells, with no other to wait for
         looking = true;
         world.watched(true);
         CompletionStage<List<SimRobot>> last = CompletableFuture.completedStage(List.of());
-        for (List<SimRobot> some : tasks) {
+        for (List<SimRobot> some : many ? tasks(neighbors.order(robots, since), now) : List.<List<SimRobot>>of()) {
             last = last.thenCombine(scheduler.compute(() -> looked(some, now)), (_, done) -> done);
         }
         for (List<SimRobot> some : turns) { // work of their own, so that all that these set off comes before the next
-            last = last.thenCombine(scheduler.compute(() -> some), (_, told) -> {
+            last = last.thenCombine(scheduler.compute(() -> many ? some : looked(some, now)), (_, told) -> {
                 forEach(told, since, robot -> report(robot, now));
                 return told;
             });
