@@ -153,8 +153,10 @@ public final class Surroundings {
             }
             double aside = Math.abs(cos * y[i] - sin * x[i]);
             double beyond = Math.max(0, ahead - distance);
-            if (aside < clearance && beyond < clearance) {
-                clearance = Math.min(clearance, Math.hypot(aside, beyond));
+            if (beyond == 0) {
+                clearance = Math.min(clearance, aside);
+            } else if (aside < clearance && beyond < clearance) {
+                clearance = Math.min(clearance, Math.sqrt(aside * aside + beyond * beyond));
             }
         }
         return clearance;

@@ -40,10 +40,18 @@ public final class Maps {
     private static final FileSource BUILT_IN = FileSource.resources(Maps.class, "/rsal/maps/");
 
     private final FileSource files;
+    private final KnownMaps known;
 
     /// @param files where a person's own maps are
     public Maps(FileSource files) {
+        this(files, new KnownMaps());
+    }
+
+    /// @param files where a person's own maps are
+    /// @param known maps of which those that are read again have the same cells
+    public Maps(FileSource files, KnownMaps known) {
         this.files = files;
+        this.known = known;
     }
 
     /// Names of the maps that come with the program.
@@ -69,8 +77,8 @@ public final class Maps {
 
     /// As [#read], with what the map's author should know.
     public Found find(String name, Location askedAt) {
-        List<String> known = builtIn();
-        if (known.contains(name)) {
+        List<String> builtIn = builtIn();
+        if (builtIn.contains(name)) {
             return read(BUILT_IN, name + ".yaml", askedAt);
         }
         if (name.endsWith(".yaml") || name.endsWith(".yml")) {
@@ -85,10 +93,10 @@ public final class Maps {
         throw new InvalidSettings(
                 askedAt,
                 "There is no map '%s'.".formatted(name),
-                Suggestion.among(name, known) + " A map of your own goes by its YAML file's name.");
+                Suggestion.among(name, builtIn) + " A map of your own goes by its YAML file's name.");
     }
 
-    private static Found read(FileSource source, String path, Location askedAt) {
+    private Found read(FileSource source, String path, Location askedAt) {
         Value.Mapping file = Yaml.read(source, path, askedAt);
         var problems = new Problems();
         var section = new Section("", file, problems);
@@ -159,10 +167,10 @@ public final class Maps {
                 cells.width(), cells.height(), resolution, lowerLeft.x(), lowerLeft.y(), cells.cells());
     }
 
-    private static MapImage image(FileSource source, String path, String image, Location askedAt, Shading shading) {
+    private MapImage image(FileSource source, String path, String image, Location askedAt, Shading shading) {
         int slash = path.lastIndexOf('/');
         byte[] bytes = source.read(path.substring(0, slash + 1) + image, MAX_IMAGE_BYTES, askedAt);
-        return MapImage.read(image, bytes, shading);
+        return known.of(bytes, shading, () -> MapImage.read(image, bytes, shading));
     }
 
     /// How an image is read.

@@ -27,8 +27,8 @@ import rsal.time.Task;
 /// one after the other by id; then their sensors look at where all are now; then their devices tell, again by id.
 ///
 /// What feels or moves on a robot works in between, when all have moved. Sensors look in parallel where that
-/// pays. They see a still picture of the world and draw from random streams of their own, so that the readings do
-/// not depend on it.
+/// pays, those of robots near each other one after the other ([NeighborOrder]). They see a still picture of the world
+/// and draw from random streams of their own, so that the readings do not depend on it.
 final class SimSystem implements RobotSystem {
     private static final int WORTH_A_TASK = 1000; // rays
 
@@ -45,8 +45,10 @@ final class SimSystem implements RobotSystem {
     private final SimControl control;
     private final Absence absence;
     private final SimFaults faults;
+    private final NeighborOrder<SimRobot> neighbors =
+            new NeighborOrder<>(robot -> robot.body().pose());
     private @Nullable Task stepping;
-    private int looking;
+    private boolean looking;
     private boolean closed;
 
     SimSystem(
@@ -116,7 +118,7 @@ final class SimSystem implements RobotSystem {
                 team.workers(),
                 team.changes(),
                 robot -> robot.work(now, dt, other -> touches.ranInto(robot.body(), other, now)));
-        if (looking == 0) { // real time may be too fast for them
+        if (!looking) { // real time may be too fast for them
             world.look();
             look(now);
         }
@@ -135,42 +137,57 @@ final class SimSystem implements RobotSystem {
     }
 
     private void look(Instant now) {
-        var together = new ArrayList<SimRobot>();
-        int rays = 0;
-        for (SimRobot robot : team.robots()) {
+        List<SimRobot> robots = team.robots();
+        for (SimRobot robot : robots) {
             robot.lookFromHere();
-            together.add(robot);
-            rays += robot.raysDue(now);
-            if (rays >= WORTH_A_TASK) {
-                look(List.copyOf(together), now);
-                together.clear();
+        }
+        int since = team.changes();
+        List<List<SimRobot>> turns = tasks(robots, now);
+        boolean many = turns.size() > 1; // else the one task looks and tells, with no other to wait for
+        looking = true;
+        world.watched(true);
+        CompletionStage<List<SimRobot>> last = CompletableFuture.completedStage(List.of());
+        for (List<SimRobot> some : many ? tasks(neighbors.order(robots, since), now) : List.<List<SimRobot>>of()) {
+            last = last.thenCombine(scheduler.compute(() -> looked(some, now)), (_, done) -> done);
+        }
+        for (List<SimRobot> some : turns) { // work of their own, so that all that these set off comes before the next
+            last = last.thenCombine(scheduler.compute(() -> many ? some : looked(some, now)), (_, told) -> {
+                forEach(told, since, robot -> report(robot, now));
+                return told;
+            });
+        }
+        last.whenComplete((_, error) -> {
+            looking = false;
+            world.watched(false);
+            if (error != null) {
+                scheduler.execute(() -> {
+                    throw new IllegalStateException("Simulated sensors failed.", error);
+                });
+            }
+        });
+    }
+
+    /// Robots one after the other, as many together as cast so many rays that it is worth a task.
+    private static List<List<SimRobot>> tasks(List<SimRobot> robots, Instant now) {
+        var tasks = new ArrayList<List<SimRobot>>();
+        int first = 0;
+        int rays = 0;
+        for (int i = 0; i < robots.size(); i++) {
+            rays += robots.get(i).raysDue(now);
+            if (rays >= WORTH_A_TASK || i == robots.size() - 1) {
+                tasks.add(robots.subList(first, i + 1));
+                first = i + 1;
                 rays = 0;
             }
         }
-        if (!together.isEmpty()) {
-            look(List.copyOf(together), now);
-        }
+        return tasks;
     }
 
-    private void look(List<SimRobot> some, Instant now) {
-        int since = team.changes();
-        looking++;
-        world.watched(true);
-        scheduler
-                .compute(() -> {
-                    some.forEach(robot -> robot.look(world, now));
-                    return some;
-                })
-                .thenAccept(_ -> forEach(some, since, robot -> report(robot, now)))
-                .whenComplete((_, error) -> {
-                    looking--;
-                    world.watched(looking > 0);
-                    if (error != null) {
-                        scheduler.execute(() -> {
-                            throw new IllegalStateException("Simulated sensors failed.", error);
-                        });
-                    }
-                });
+    private List<SimRobot> looked(List<SimRobot> some, Instant now) {
+        for (SimRobot robot : some) {
+            robot.look(world, now);
+        }
+        return some;
     }
 
     private void report(SimRobot robot, Instant now) {

@@ -15,6 +15,8 @@ import rsal.agent.AgentHostProvider;
 import rsal.agent.message.NewGoal;
 import rsal.data.OccupancyGrid;
 import rsal.device.Device;
+import rsal.map.KnownMaps;
+import rsal.map.Maps;
 import rsal.robot.RobotSpec;
 import rsal.scenario.RobotReader.Role;
 import rsal.scenario.RunPlan.Clock;
@@ -26,6 +28,7 @@ import rsal.scenario.WorldReader.World;
 import rsal.scenario.condition.Grammar;
 import rsal.scenario.fault.PlannedFault;
 import rsal.scenario.installed.Catalog;
+import rsal.scenario.installed.Installation;
 import rsal.scenario.installed.PluginReader;
 import rsal.scene.Entity;
 import rsal.scene.Scene;
@@ -45,12 +48,14 @@ final class PlanReader {
     private final Scenario scenario;
     private final RunOptions options;
     private final Catalog catalog;
+    private final KnownMaps maps;
     private final Problems problems = new Problems();
 
-    PlanReader(Scenario scenario, RunOptions options, Catalog catalog) {
+    PlanReader(Scenario scenario, RunOptions options, Installation installation) {
         this.scenario = scenario;
         this.options = options;
-        this.catalog = catalog;
+        this.catalog = installation.catalog();
+        this.maps = installation.maps();
     }
 
     /// The run's own settings.
@@ -181,7 +186,7 @@ final class PlanReader {
 
     private Surroundings surroundings(Section root, Clock clock, Seeds seeds) {
         Section worldSection = root.section("world");
-        var worldReader = new WorldReader(catalog, scenario.files(), seeds, problems);
+        var worldReader = new WorldReader(catalog, new Maps(scenario.files(), maps), scenario.files(), seeds, problems);
         World world = worldReader.read(worldSection);
         Optional<Duration> worldStep = world.scene().flatMap(Scene::step);
         var systems = new SystemReader(root.section(SystemReader.KEY), catalog, clock, seeds, worldStep);

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import rsal.scenario.installed.Catalog;
+import rsal.scenario.installed.Installation;
 import rsal.scene.Scene;
 import rsal.settings.FileSource;
 import rsal.settings.FormatVersion;
@@ -40,6 +41,7 @@ public final class Scenario {
     private final String description;
     private final List<Parameter<?>> arguments;
     private final List<Configuration> configurations;
+    private final Installation installation = new Installation();
 
     private Scenario(Value.Mapping settings, FileSource files, Optional<String> text, Problems problems) {
         this.settings = settings;
@@ -360,7 +362,7 @@ public final class Scenario {
     }
 
     private RunPlan planned(RunOptions options) {
-        return new PlanReader(this, options, Catalog.installed()).read();
+        return new PlanReader(this, options, installation).read();
     }
 
     /// Plans every configuration.

@@ -33,13 +33,15 @@ final class WorldReader {
     private static final int MAX_BYTES = 1 << 28;
 
     private final Catalog catalog;
+    private final Maps maps;
     private final DeviceSelector outfitter;
     private final FileSource files;
     private final Seeds seeds;
     private final Problems problems;
 
-    WorldReader(Catalog catalog, FileSource files, Seeds seeds, Problems problems) {
+    WorldReader(Catalog catalog, Maps maps, FileSource files, Seeds seeds, Problems problems) {
         this.catalog = catalog;
+        this.maps = maps;
         this.outfitter = new DeviceSelector(catalog, seeds);
         this.files = files;
         this.seeds = seeds;
@@ -69,7 +71,7 @@ final class WorldReader {
             return new World("", Optional.empty());
         }
         try {
-            Scene read = map ? mapped(new Maps(files).find(name, at)) : scene(name, at);
+            Scene read = map ? mapped(maps.find(name, at)) : scene(name, at);
             Scene scene = touch.map(read::with).orElse(read);
             scene.warnings().forEach(problems::warn);
             return new World(name, Optional.of(scene));

@@ -27,13 +27,13 @@ final class Cones {
     private static final int NOTHING = 255;
     private static final byte[] NOT_KEPT = {};
     private static final byte[] BESIDE_A_WALL = {0}; // told from what is kept by its length, as the other
-    private static final double[] COS = new double[DIRECTIONS];
-    private static final double[] SIN = new double[DIRECTIONS];
+    private static final double[] COS = new double[2 * DIRECTIONS]; // twice around, so that no cone has a break
+    private static final double[] SIN = new double[2 * DIRECTIONS];
 
     static {
-        for (int i = 0; i < DIRECTIONS; i++) {
-            COS[i] = Math.cos(2 * Math.PI * i / DIRECTIONS);
-            SIN[i] = Math.sin(2 * Math.PI * i / DIRECTIONS);
+        for (int i = 0; i < 2 * DIRECTIONS; i++) {
+            COS[i] = Math.cos(2 * Math.PI * (i % DIRECTIONS) / DIRECTIONS);
+            SIN[i] = Math.sin(2 * Math.PI * (i % DIRECTIONS) / DIRECTIONS);
         }
     }
 
@@ -128,21 +128,13 @@ final class Cones {
     }
 
     private double fromMiddle(int cell, int direction) {
-        double x = middleX(cell);
-        double y = middleY(cell);
-        double nearest = Double.POSITIVE_INFINITY;
-        for (int ray = -raysAside; ray <= raysAside; ray++) {
-            int d = Math.floorMod(direction + ray, DIRECTIONS);
-            nearest = Math.min(nearest, toOccupied.firstHit(x, y, COS[d], SIN[d], Math.min(nearest, FARTHEST)));
-        }
-        return nearest;
+        int first = Math.floorMod(direction - raysAside, DIRECTIONS);
+        return toOccupied.nearestHit(middleX(cell), middleY(cell), COS, SIN, first, 2 * raysAside + 1, FARTHEST);
     }
 
     private byte[] around(double x, double y) {
         double[] rays = new double[DIRECTIONS];
-        for (int d = 0; d < DIRECTIONS; d++) {
-            rays[d] = toOccupied.firstHit(x, y, COS[d], SIN[d], FARTHEST);
-        }
+        toOccupied.firstHits(x, y, COS, SIN, 0, FARTHEST, rays);
         byte[] reaches = new byte[DIRECTIONS];
         for (int d = 0; d < DIRECTIONS; d++) {
             double nearest = Double.POSITIVE_INFINITY;

@@ -168,8 +168,7 @@ public final class Obstacles {
 
     public void add(double px, double py) {
         boolean near = px * px + py * py <= reach * reach;
-        boolean news = count == 0 || Math.hypot(px - x[count - 1], py - y[count - 1]) >= APART;
-        if (!near || !news) {
+        if (!near || (count > 0 && isBesideLast(px, py))) {
             return;
         }
         if (count == x.length) {
@@ -181,5 +180,11 @@ public final class Obstacles {
         y[count] = (float) py;
         room[count] = 0;
         count++;
+    }
+
+    private boolean isBesideLast(double px, double py) {
+        double dx = px - x[count - 1];
+        double dy = py - y[count - 1];
+        return dx * dx + dy * dy < APART * APART;
     }
 }

@@ -1,8 +1,11 @@
 package rsal.navigation.device;
 
+import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.WeakHashMap;
 import rsal.data.Footprint;
 import rsal.device.Device;
 import rsal.device.DeviceInfo;
@@ -30,7 +33,8 @@ public final class ExplorerDriver implements DeviceDriver {
     private static final String SLAM = "slam";
     private static final String NAVIGATOR = "navigator";
 
-    private final ComputedOnce<Object, Exploration> teams = new ComputedOnce<>();
+    private final Map<Object, WeakReference<Exploration>> teams =
+            new WeakHashMap<>(); // by run; its explorers keep them
 
     @Override
     public String key() {
@@ -91,9 +95,8 @@ public final class ExplorerDriver implements DeviceDriver {
             throw new IllegalArgumentException("'%s' has other devices than an explorer works with."
                     .formatted(context.robot().id()));
         }
-        Exploration team = context.mapFromBase().isPresent()
-                ? teams.of(context.scheduler().run(), _ -> team(arguments))
-                : team(arguments);
+        Exploration team =
+                context.mapFromBase().isPresent() ? team(context.scheduler().run(), arguments) : team(arguments);
         Footprint footprint = context.robot().model().footprint();
         var explorer = new Explorer(
                 new DeviceInfo(context.robot().id(), context.name(), key()),
@@ -106,6 +109,19 @@ public final class ExplorerDriver implements DeviceDriver {
                 context.scheduler());
         explorer.start();
         return explorer;
+    }
+
+    /// That of a run; several may begin at the same time.
+    private Exploration team(Object run, Arguments arguments) {
+        synchronized (teams) {
+            WeakReference<Exploration> known = teams.get(run);
+            Exploration team = known == null ? null : known.get();
+            if (team == null) {
+                team = team(arguments);
+                teams.put(run, new WeakReference<>(team));
+            }
+            return team;
+        }
     }
 
     private static Exploration team(Arguments arguments) {

@@ -210,9 +210,77 @@ public final class DistanceField {
     /// @param sin the same
     public double firstHit(double x, double y, double cos, double sin, double limit) {
         double range = ray(x, y, cos, sin, limit);
-        return range == 0 || (range < limit && contains(x + cos * range, y + sin * range))
-                ? range
-                : Double.POSITIVE_INFINITY;
+        return isHit(x, y, cos, sin, range, limit) ? range : Double.POSITIVE_INFINITY;
+    }
+
+    /// The same in several directions, all at once: each waits for memory while the others go on.
+    ///
+    /// @param cos of the directions
+    /// @param sin the same
+    /// @param from index of the first direction
+    /// @param into for each direction from the first on, as [#firstHit]; its length says how many there are
+    public void firstHits(double x, double y, double[] cos, double[] sin, int from, double limit, double[] into) {
+        march(x, y, cos, sin, from, limit, into, false);
+        for (int ray = 0; ray < into.length; ray++) {
+            boolean hits = isHit(x, y, cos[from + ray], sin[from + ray], into[ray], limit);
+            into[ray] = hits ? into[ray] : Double.POSITIVE_INFINITY;
+        }
+    }
+
+    /// The shortest of the same: +∞ when nothing is hit in any of the directions.
+    ///
+    /// @param count how many directions
+    public double nearestHit(double x, double y, double[] cos, double[] sin, int from, int count, double limit) {
+        double[] ranges = new double[count];
+        march(x, y, cos, sin, from, limit, ranges, true);
+        double nearest = Double.POSITIVE_INFINITY;
+        for (int ray = 0; ray < count; ray++) {
+            if (ranges[ray] < nearest && isHit(x, y, cos[from + ray], sin[from + ray], ranges[ray], limit)) {
+                nearest = ranges[ray];
+            }
+        }
+        return nearest;
+    }
+
+    /// @param nearest whether those that are farther than another that hit something need not go on
+    private void march(
+            double x, double y, double[] cos, double[] sin, int from, double limit, double[] ranges, boolean nearest) {
+        int[] under = new int[ranges.length]; // those that have hit nothing yet
+        for (int i = 0; i < under.length; i++) {
+            under[i] = i;
+            ranges[i] = 0;
+        }
+        float[] field = meters;
+        double slack = resolution * Math.sqrt(2);
+        double least = resolution / 2;
+        double column = (x - originX) * cellsPerMeter;
+        double row = (y - originY) * cellsPerMeter;
+        double end = limit;
+        int going = limit > 0 ? under.length : 0;
+        while (going > 0) {
+            int still = 0;
+            for (int k = 0; k < going; k++) {
+                int ray = under[k];
+                double range = ranges[ray];
+                double c = column + cos[from + ray] * cellsPerMeter * range; // as in #ray, to the bit
+                double r = row + sin[from + ray] * cellsPerMeter * range;
+                boolean isOnMap = c >= 0 && c < width && r >= 0 && r < height;
+                double free = isOnMap ? field[((int) r) * width + (int) c] : 0;
+                if (free >= least) {
+                    double next = range + Math.max(free - slack, least);
+                    ranges[ray] = next;
+                    under[still] = ray;
+                    still += next < end ? 1 : 0;
+                } else if (nearest && isHit(x, y, cos[from + ray], sin[from + ray], range, end)) {
+                    end = range;
+                }
+            }
+            going = still;
+        }
+    }
+
+    private boolean isHit(double x, double y, double cos, double sin, double range, double limit) {
+        return range == 0 || (range < limit && contains(x + cos * range, y + sin * range));
     }
 
     /// Whether a place in the map frame is on the map.

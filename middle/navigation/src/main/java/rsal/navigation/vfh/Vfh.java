@@ -218,13 +218,13 @@ public final class Vfh implements Controller {
         for (int i = 0; i < obstacles.count() && turning > SLOWEST; i++) {
             double x = obstacles.x(i);
             double y = obstacles.y(i);
+            double fromCenter = Math.abs(y) - turning; // of the circle to the side where it is
             double grown = radius + safetyDistance + obstacles.room(i);
-            double angle = Math.atan2(y, x);
-            if (x > 0 && y > 0 && Math.hypot(x, y - turning) < turning + grown) {
-                left = Math.min(left, angle);
-            }
-            if (x > 0 && y < 0 && Math.hypot(x, y + turning) < turning + grown) {
-                right = Math.min(right, -angle);
+            boolean bars = x > 0 && x * x + fromCenter * fromCenter < (turning + grown) * (turning + grown);
+            if (bars && y > 0) {
+                left = Math.min(left, Math.atan2(y, x));
+            } else if (bars && y < 0) {
+                right = Math.min(right, -Math.atan2(y, x));
             }
         }
         for (int s = 0; s < sectors; s++) {

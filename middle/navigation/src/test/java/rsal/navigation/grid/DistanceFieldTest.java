@@ -3,6 +3,7 @@ package rsal.navigation.grid;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
@@ -40,6 +41,37 @@ class DistanceFieldTest {
             assertThat((double) toFace.at(cell))
                     .as("seed %d, cell %d", seed, cell)
                     .isCloseTo(isOccupied(map, cell) ? Math.min(deepest, face) : face, within(1e-5));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void hitsInManyDirectionsAreThoseInEach(long seed) {
+        var random = new SplittableRandom(seed);
+        OccupancyGrid map = RandomMaps.of(random, random.nextInt(1, 80), random.nextInt(1, 80), 0.02);
+        var field = DistanceField.toOccupied(map);
+        int directions = 40;
+        double[] cos = IntStream.range(0, directions)
+                .mapToDouble(i -> Math.cos(2 * Math.PI * i / directions))
+                .toArray();
+        double[] sin = IntStream.range(0, directions)
+                .mapToDouble(i -> Math.sin(2 * Math.PI * i / directions))
+                .toArray();
+        for (int place = 0; place < 200; place++) {
+            double x = map.originX() + random.nextDouble(-0.1, 1.1) * map.width() * map.resolution();
+            double y = map.originY() + random.nextDouble(-0.1, 1.1) * map.height() * map.resolution();
+            double limit = random.nextDouble(0, 6);
+            int from = random.nextInt(directions);
+            double[] hits = new double[random.nextInt(directions - from)];
+            field.firstHits(x, y, cos, sin, from, limit, hits);
+            assertThat(field.nearestHit(x, y, cos, sin, from, hits.length, limit))
+                    .as("seed %d, (%s, %s), from %d, limit %s", seed, x, y, from, limit)
+                    .isEqualTo(Arrays.stream(hits).min().orElse(Double.POSITIVE_INFINITY));
+            for (int i = 0; i < hits.length; i++) {
+                assertThat(hits[i])
+                        .as("seed %d, (%s, %s), direction %d, limit %s", seed, x, y, from + i, limit)
+                        .isEqualTo(field.firstHit(x, y, cos[from + i], sin[from + i], limit));
+            }
         }
     }
 
