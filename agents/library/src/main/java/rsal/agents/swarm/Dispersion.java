@@ -6,8 +6,7 @@ import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
 /// Robots repel each other like equal charges, after A. Howard, M. J. Matarić and G. S. Sukhatme, "Mobile sensor
-/// network
-/// deployment using potential fields" (DARS 2002).
+/// network deployment using potential fields" (DARS 2002).
 ///
 /// Departures: walls repel only within a meter. A robot stands where the forces are weak, instead of friction.
 public final class Dispersion implements SwarmRuleType {

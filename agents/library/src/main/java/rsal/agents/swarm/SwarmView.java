@@ -13,8 +13,7 @@ import rsal.data.Pose2d;
 /// @param speed at which it drives at most [m/s]
 /// @param neighbors those of whose poses it has heard lately, by id
 /// @param toObstacle from the robot to the nearest thing that it senses, also a robot, in the map frame [m]; longer
-/// than
-/// any sensor sees when there is none
+/// than any sensor sees when there is none
 /// @param random a stream of the robot's own
 public record SwarmView(
         double time,
