@@ -17,6 +17,7 @@ module rsal.agent.library {
     exports rsal.agents.patrol.strategy;
     exports rsal.agents.pursuit;
     exports rsal.agents.rescue;
+    exports rsal.agents.swarm;
     exports rsal.agents.team;
 
     provides rsal.agent.AgentType with
@@ -45,12 +46,14 @@ module rsal.agent.library {
             rsal.agents.driving.ProxyMover,
             rsal.agents.driving.Roamer.WallFollow,
             rsal.agents.driving.Roamer.Wander,
+            rsal.agents.swarm.SwarmRuleAgent,
             rsal.agents.team.WorkerAgent;
     provides rsal.metric.MetricType with
             rsal.agents.formation.FormationMetric,
             rsal.agents.patrol.IdlenessMetric,
             rsal.agents.pursuit.CaptureMetric,
-            rsal.agents.rescue.FoundMetric;
+            rsal.agents.rescue.FoundMetric,
+            rsal.agents.swarm.SwarmMetric;
     provides rsal.agents.patrol.strategy.PatrolStrategyType with
             rsal.agents.patrol.strategy.BalancedTours,
             rsal.agents.patrol.strategy.Bids,
@@ -66,10 +69,16 @@ module rsal.agent.library {
             rsal.agents.patrol.strategy.RandomWalk,
             rsal.agents.patrol.strategy.StateExchange,
             rsal.agents.patrol.strategy.VoronoiCells;
+    provides rsal.agents.swarm.SwarmRuleType with
+            rsal.agents.swarm.Aggregation,
+            rsal.agents.swarm.ConsensusFormation,
+            rsal.agents.swarm.Dispersion,
+            rsal.agents.swarm.Flocking;
     provides rsal.agent.StrategyComparison with
             rsal.agents.patrol.strategy.GraphComparison;
     provides rsal.agent.TopicProvider with
             rsal.agents.LibraryTopics;
 
     uses rsal.agents.patrol.strategy.PatrolStrategyType;
+    uses rsal.agents.swarm.SwarmRuleType;
 }

@@ -15,5 +15,13 @@ module rsal.agent.platform {
     provides rsal.agent.AgentHostProvider with
             rsal.agent.plain.PlainHostProvider;
     provides rsal.agent.TopicProvider with
-            rsal.agent.message.CommonTopics;
+            rsal.agent.message.CommonTopics,
+            rsal.agent.team.TeamTopics;
+    provides rsal.agent.team.AllocationType with
+            rsal.agent.team.CentralAllocations.Bids,
+            rsal.agent.team.CentralAllocations.FirstCome,
+            rsal.agent.team.ConsensusBundles,
+            rsal.agent.team.SequentialAuctions;
+
+    uses rsal.agent.team.AllocationType;
 }

@@ -37,6 +37,13 @@ public interface AgentType {
         return needs(arguments).stream().anyMatch(Locomotion.class::isAssignableFrom);
     }
 
+    /// Key of an agent type without which one with such arguments has nothing to do, as the one that gives it tasks;
+    /// empty when it needs none. Scenarios without an agent of that type refuse it. Agents in
+    /// files count as one.
+    default Optional<String> needsAgent(Arguments arguments) {
+        return Optional.empty();
+    }
+
     /// Whether it leaves its robot to another agent as long as that drives it.
     default boolean yields() {
         return false;

@@ -6,6 +6,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
 import rsal.scenario.RobotReader.Role;
@@ -106,6 +108,26 @@ final class AgentReader {
         }
         checkNumber(own.size() + agents.size(), other.at());
         return agents;
+    }
+
+    /// Agents that wait for tasks of an agent that is not there would wait for ever. Those in files may give tasks, too.
+    void checkPartners(List<PlannedAgent> all, Location at) {
+        Set<String> types = all.stream().map(agent -> agent.type().key()).collect(Collectors.toSet());
+        if (!catalog.agents().keySet().containsAll(types)) {
+            return;
+        }
+        var reported = new HashSet<String>();
+        for (PlannedAgent agent : all) {
+            agent.type()
+                    .needsAgent(agent.arguments())
+                    .filter(key -> !types.contains(key) && reported.add(agent.role()))
+                    .ifPresent(key -> problems.add(
+                            at,
+                            "Agent '%s' of type '%s' waits for tasks of an agent of type '%s', and there is none."
+                                    .formatted(agent.role(), agent.type().key(), key),
+                            "Add one (%s: {type: %s}), or change the parameters of '%s'."
+                                    .formatted(key, key, agent.role())));
+        }
     }
 
     /// Agents that drive robots instead of the programs that the world names.

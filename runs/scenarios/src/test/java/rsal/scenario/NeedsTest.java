@@ -110,4 +110,16 @@ class NeedsTest {
                         .agents())
                 .hasSize(2);
     }
+
+    /// Such a hunt went on for ever, and said nothing.
+    @Test
+    void whoWaitsForTasksOfAnAgentThatIsNotThereIsRefused() {
+        var hunt = Scenario.load("hunt-and-prey");
+        assertThatThrownBy(() -> hunt.plan(RunOptions.NONE.withArguments(Map.of("assignment", "bids"))))
+                .hasMessageContaining("Agent 'follow' of type 'follow' waits for tasks of an agent of type 'hunt',")
+                .hasMessageContaining("Add one (hunt: {type: hunt}), or change the parameters of 'follow'.");
+        assertThat(hunt.plan(RunOptions.NONE.withConfiguration("advanced"))).isNotNull();
+        assertThat(hunt.plan(RunOptions.NONE.withArguments(Map.of("assignment", "nearest"))))
+                .isNotNull();
+    }
 }

@@ -2,18 +2,15 @@ package rsal.agents.foraging;
 
 import java.util.List;
 import rsal.agent.AgentContext;
+import rsal.agent.team.AllocationType;
 import rsal.agents.parts.AgentTypeBase;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
+import rsal.settings.PluginChoice;
 
 /// Has a team fetch what others ask for. Needs no robot.
 public final class FetchMaster extends AgentTypeBase {
-    static final Parameter<String> ALLOCATION = Parameter.choice(
-            "allocation",
-            "bids",
-            List.of("bids", "first"),
-            "How the team divides things: by bids of the path costs, so that all are collected soon; or a free robot"
-                    + " fetches the thing that was found first.");
+    static final Parameter<PluginChoice> ALLOCATION = AllocationType.parameter();
 
     public FetchMaster() {
         super(

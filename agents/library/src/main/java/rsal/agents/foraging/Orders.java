@@ -30,8 +30,7 @@ final class Orders {
 
     Orders(AgentContext self, Arguments arguments) {
         this.self = self;
-        boolean bids = arguments.get(FetchMaster.ALLOCATION).equals("bids");
-        Rules rules = bids ? Rules.DEFAULT.withObjective(Objective.LONGEST) : Rules.DEFAULT.firstCome();
+        Rules rules = Rules.DEFAULT.withObjective(Objective.LONGEST).allocated(arguments.get(FetchMaster.ALLOCATION));
         this.team = new Team(self, rules.withTries(TRIES), this::note);
     }
 

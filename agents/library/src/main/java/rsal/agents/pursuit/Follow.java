@@ -1,6 +1,7 @@
 package rsal.agents.pursuit;
 
 import java.util.List;
+import java.util.Optional;
 import rsal.agent.AgentContext;
 import rsal.agents.exploration.Viewpoints;
 import rsal.agents.parts.AgentTypeBase;
@@ -46,6 +47,11 @@ public final class Follow extends AgentTypeBase {
     @Override
     protected List<Class<? extends Device>> needsBesides(Arguments arguments) {
         return PreySearch.needs(arguments);
+    }
+
+    @Override
+    public Optional<String> needsAgent(Arguments arguments) {
+        return arguments.get(ASSIGNMENT).equals("bids") ? Optional.of(HuntMaster.KEY) : Optional.empty();
     }
 
     @Override

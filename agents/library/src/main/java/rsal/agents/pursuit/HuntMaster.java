@@ -9,6 +9,7 @@ import rsal.settings.Parameter;
 /// Has a team catch prey: hunters that bid (`follow` with `assignment: bids`) each get a prey so that no way is long,
 /// more than one of them for a prey when there are more hunters; again and again while they move. Needs no robot.
 public final class HuntMaster extends AgentTypeBase {
+    static final String KEY = "hunt";
     static final Parameter<String> PREY =
             Parameter.robots("prey", "prey", List.of(), "Role of the robots to hunt, or id of one robot.");
     static final Parameter<Double> INTERVAL =
@@ -16,7 +17,7 @@ public final class HuntMaster extends AgentTypeBase {
 
     public HuntMaster() {
         super(
-                "hunt",
+                KEY,
                 "Allocates prey to a team of hunters by their bids, so that near hunters catch and surround each"
                         + " prey.",
                 List.of(PREY, INTERVAL),

@@ -4,25 +4,30 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import rsal.agent.AgentContext;
+import rsal.agent.team.AllocationType;
 import rsal.agent.team.Rules;
 import rsal.agent.team.Team;
 import rsal.agents.parts.AgentTypeBase;
 import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+import rsal.settings.PluginChoice;
 
 /// Brings a helper to each victim that somebody tells of: each is a job of a team, and is never given up. Needs no
 /// robot.
 public final class RescueMaster extends AgentTypeBase {
+    static final Parameter<PluginChoice> ALLOCATION = AllocationType.parameter();
+
     public RescueMaster() {
         super(
                 "rescue",
                 "Allocates each victim that was found to a team of helpers, by their bids.",
-                List.of(),
+                List.of(ALLOCATION),
                 List.of());
     }
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        new Books(self).begin();
+        new Books(self, arguments.get(ALLOCATION)).begin();
     }
 
     private static final class Books {
@@ -31,9 +36,9 @@ public final class RescueMaster extends AgentTypeBase {
         private final Set<Integer> found = new TreeSet<>();
         private final Set<Integer> helped = new TreeSet<>();
 
-        Books(AgentContext self) {
+        Books(AgentContext self, PluginChoice allocation) {
             this.self = self;
-            this.team = new Team(self, Rules.DEFAULT.withTries(0), this::note);
+            this.team = new Team(self, Rules.DEFAULT.withTries(0).allocated(allocation), this::note);
         }
 
         void begin() {

@@ -1,6 +1,8 @@
 package rsal.agent.team;
 
 import java.time.Duration;
+import java.util.Optional;
+import rsal.settings.PluginChoice;
 
 /// How a team allots its jobs.
 ///
@@ -12,6 +14,8 @@ import java.time.Duration;
 /// @param reconsider how often jobs that are under way are allotted again, too, one each, as fits things that move;
 /// 0 for never. Who has a job keeps it unless another can do it for clearly less.
 /// @param tries after as many failures a job is given up; 0 for never
+/// @param auction an [AllocationType] by which the members divide jobs among themselves; empty where the agent that
+/// has the jobs divides them. Counts only in routes.
 public record Rules(
         Objective objective,
         boolean inRoutes,
@@ -19,7 +23,8 @@ public record Rules(
         Duration silence,
         Duration replyWithin,
         Duration reconsider,
-        int tries) {
+        int tries,
+        Optional<PluginChoice> auction) {
     public static final Rules DEFAULT = new Rules(
             Objective.LONGEST,
             true,
@@ -27,7 +32,8 @@ public record Rules(
             Duration.ofSeconds(5),
             Duration.ofSeconds(2),
             Duration.ZERO,
-            5);
+            5,
+            Optional.empty());
 
     public Rules {
         if (objective == Objective.NONE && inRoutes) {
@@ -36,7 +42,7 @@ public record Rules(
     }
 
     public Rules withObjective(Objective other) {
-        return new Rules(other, inRoutes, ping, silence, replyWithin, reconsider, tries);
+        return new Rules(other, inRoutes, ping, silence, replyWithin, reconsider, tries, auction);
     }
 
     /// Who is free gets what has waited longest, whatever it costs.
@@ -46,15 +52,30 @@ public record Rules(
 
     /// Only the next job of each counts.
     public Rules oneAtATime() {
-        return new Rules(objective, false, ping, silence, replyWithin, reconsider, tries);
+        return new Rules(objective, false, ping, silence, replyWithin, reconsider, tries, auction);
     }
 
     public Rules withTries(int other) {
-        return new Rules(objective, inRoutes, ping, silence, replyWithin, reconsider, other);
+        return new Rules(objective, inRoutes, ping, silence, replyWithin, reconsider, other, auction);
+    }
+
+    /// As an [AllocationType] has it.
+    public Rules allocated(PluginChoice allocation) {
+        AllocationType type = allocation.as(AllocationType.class);
+        Rules rules = type.rules(this);
+        return new Rules(
+                rules.objective,
+                rules.inRoutes,
+                rules.ping,
+                rules.silence,
+                type.isAmongMembers() ? AuctionRoom.TIME : rules.replyWithin,
+                rules.reconsider,
+                rules.tries,
+                type.isAmongMembers() ? Optional.of(allocation) : Optional.empty());
     }
 
     /// Allots one job each, and all of them again so often.
     public Rules reconsideredEvery(Duration period) {
-        return new Rules(objective, false, ping, silence, replyWithin, period, tries);
+        return new Rules(objective, false, ping, silence, replyWithin, period, tries, auction);
     }
 }

@@ -49,6 +49,7 @@ public final class Team {
     private boolean due;
     private boolean missed; // a call, while another was undecided
     private boolean anewWanted;
+    private int auctions;
 
     /// @param onEvent told on the agent's lane
     public Team(AgentContext self, Rules rules, Consumer<? super Event> onEvent) {
@@ -148,8 +149,26 @@ public final class Team {
             return;
         }
         List<Job> jobs = called.stream().map(entry -> entry.job).toList();
-        var offer = new Offer(jobs, rules.inRoutes() && !anew, anew);
+        Optional<AuctionTerms> auction = anew || !rules.inRoutes()
+                ? Optional.empty()
+                : rules.auction()
+                        .map(allocation -> new AuctionTerms(
+                                self.name(), ++auctions, allocation, members, barred(called, members)));
+        var offer = new Offer(jobs, rules.inRoutes() && !anew, anew, auction);
         undecided = net.call(members, offer, rules.replyWithin(), RetryPolicy.DEFAULT, new Manager(called, anew));
+    }
+
+    private Map<String, Set<Integer>> barred(List<Entry> called, List<String> members) {
+        Instant now = self.scheduler().instant();
+        var barred = new HashMap<String, Set<Integer>>();
+        for (String member : members) {
+            for (int job = 0; job < called.size(); job++) {
+                if (called.get(job).isBarred(member, now)) {
+                    barred.computeIfAbsent(member, _ -> new HashSet<>()).add(job);
+                }
+            }
+        }
+        return barred;
     }
 
     private Set<String> busy() {
@@ -198,7 +217,8 @@ public final class Team {
 
     /// Jobs for those who are free, by the jobs' numbers in the call.
     private SortedMap<String, Integer> allot(List<Entry> open, NavigableMap<String, Estimate> estimates, boolean anew) {
-        return rules.inRoutes() && !anew ? firstOfRoutes(estimates) : oneEach(open, estimates);
+        boolean central = rules.auction().isEmpty();
+        return central && rules.inRoutes() && !anew ? firstOfRoutes(estimates) : oneEach(open, estimates);
     }
 
     private SortedMap<String, Integer> firstOfRoutes(NavigableMap<String, Estimate> estimates) {

@@ -33,6 +33,7 @@ public final class Worker {
     private final Supplier<Optional<Pose2d>> mapFromBase;
     private final Consumer<Worker> onChange;
     private final Map<Class<? extends Job>, Skill<?>> skills = new LinkedHashMap<>();
+    private final AuctionRoom room;
     private DoubleSupplier reach = () -> Double.POSITIVE_INFINITY;
     private Optional<String> unfit = Optional.empty();
     private @Nullable Assigned current;
@@ -48,6 +49,7 @@ public final class Worker {
         this.pathCosts = pathCosts;
         this.mapFromBase = mapFromBase;
         this.onChange = onChange;
+        this.room = new AuctionRoom(self);
         self.atEnd(this::letGo);
     }
 
@@ -75,6 +77,7 @@ public final class Worker {
 
     /// From now on bids.
     public void begin() {
+        room.begin();
         net(self).answer(new Bidder());
         var details = new LinkedHashMap<String, String>();
         skills.keySet().forEach(kind -> details.put(kind.getSimpleName(), "yes"));
@@ -137,17 +140,22 @@ public final class Worker {
         public void called(Call<Offer, Estimate> call) {
             Optional<Pose2d> here = mapFromBase.get();
             if (unfit.isPresent() || here.isEmpty()) {
-                call.refuse(unfit.orElse("I don't know where I am."));
+                refuse(call, unfit.orElse("I don't know where I am."));
                 return;
             }
             List<Job> jobs = call.task().jobs();
             List<Optional<TaskRoute>> courses =
                     jobs.stream().map(Worker.this::course).toList();
             if (courses.stream().allMatch(Optional::isEmpty)) {
-                call.refuse("I can't do that.");
+                refuse(call, "I can't do that.");
                 return;
             }
             new Costing(courses, call).begin(here.get());
+        }
+
+        private void refuse(Call<Offer, Estimate> call, String why) {
+            call.task().auction().ifPresent(room::decline);
+            call.refuse(why);
         }
 
         @Override
@@ -238,8 +246,17 @@ public final class Worker {
                 }
                 rows.add(costs);
             }
-            call.propose(
-                    new Estimate(free, rows.getFirst(), Collections.unmodifiableList(rows.subList(1, rows.size()))));
+            var estimate =
+                    new Estimate(free, rows.getFirst(), Collections.unmodifiableList(rows.subList(1, rows.size())));
+            call.task().auction().ifPresentOrElse(terms -> auction(terms, estimate), () -> call.propose(estimate));
+        }
+
+        private void auction(AuctionTerms terms, Estimate estimate) {
+            room.enter(
+                    terms,
+                    estimate,
+                    call.replyBy(),
+                    result -> result.ifPresentOrElse(call::propose, () -> call.refuse("Others do it.")));
         }
     }
 

@@ -23,6 +23,8 @@ import rsal.agent.platform.Run;
 import rsal.agent.presence.Presence;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
+import rsal.settings.Arguments;
+import rsal.settings.PluginChoice;
 
 class TeamTest {
     private record Visit(String name, Point2d place) implements Job {
@@ -318,17 +320,60 @@ class TeamTest {
         assertThat(run.view("yan").status()).isEqualTo(Status.FAILED);
     }
 
+    private static Rules auctioned(AllocationType type) {
+        return Rules.DEFAULT.allocated(new PluginChoice(type, Arguments.of(type.parameters(), Map.of())));
+    }
+
+    private static Rules rules(String word) {
+        return switch (word) {
+            case "routes" -> Rules.DEFAULT;
+            case "ssi" -> auctioned(new SequentialAuctions());
+            case "cbba" -> auctioned(new ConsensusBundles());
+            default -> Rules.DEFAULT.oneAtATime();
+        };
+    }
+
     @ParameterizedTest
-    @ValueSource(booleans = {true, false})
-    void whateverHappensEachJobIsDoneOnceWhileSomebodyIsThere(boolean inRoutes) {
-        for (int seed = 1; seed <= (Boolean.getBoolean("rsal.test.all") ? 100 : 25); seed++) {
+    @ValueSource(strings = {"ssi", "cbba"})
+    void membersDivideJobsAmongThemselves(String allocation) {
+        walker("amy", 0);
+        walker("bob", 100);
+        team(rules(allocation), visit("a", 10), visit("b", 20), visit("c", 90), visit("d", 95));
+        run.advance(30);
+        assertThat(events)
+                .filteredOn(event -> event.contains("Done"))
+                .containsExactlyInAnyOrder("5.0 Done d bob", "10.0 Done a amy", "10.0 Done c bob", "20.0 Done b amy");
+        assertThat(team.jobs()).isEmpty();
+    }
+
+    /// One falls silent within an auction: nobody waits for it, and its job goes to another.
+    @ParameterizedTest
+    @ValueSource(strings = {"ssi", "cbba"})
+    void oneThatFallsSilentGivesItsJobToAnother(String allocation) {
+        walker("amy", 0);
+        walker("bob", 1000);
+        team(rules(allocation), visit("a", 30));
+        run.advance(10);
+        silence("amy");
+        team.add(visit("b", 990));
+        run.advance(5 + 1 + 3 + 5);
+        assertThat(walkers.get("bob").worker.job()).isPresent();
+        run.advance(1000);
+        assertThat(team.jobs()).isEmpty();
+        assertThat(events).anyMatch(event -> event.endsWith("Returned a amy"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"routes", "next", "ssi", "cbba"})
+    void whateverHappensEachJobIsDoneOnceWhileSomebodyIsThere(String word) {
+        for (int seed = 1; seed <= (Boolean.getBoolean("rsal.test.all") ? 100 : 12); seed++) {
             var test = new TeamTest();
-            test.storm(seed, inRoutes);
+            test.storm(seed, rules(word).withTries(0));
         }
     }
 
     /// A fifth of all messages is lost, members fail now and then, and all but one end.
-    private void storm(int seed, boolean inRoutes) {
+    private void storm(int seed, Rules rules) {
         var random = new SplittableRandom(seed);
         run.deliverBy((_, _) -> random.nextInt(5) == 0
                 ? List.of()
@@ -344,7 +389,7 @@ class TeamTest {
                     }
                 });
         var jobs = new TreeSet<String>();
-        team(inRoutes ? Rules.DEFAULT.withTries(0) : Rules.DEFAULT.withTries(0).oneAtATime());
+        team(rules);
         for (int i = 0; i < 12; i++) {
             jobs.add("j" + i);
             team.add(visit("j" + i, random.nextDouble(100)));
