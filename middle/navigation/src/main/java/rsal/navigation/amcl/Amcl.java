@@ -20,40 +20,34 @@ import rsal.navigation.amcl.GlobalSearch.Fates;
 ///   same wall; else the belief would be far too sure.
 /// * It resamples only when the weights have become uneven, with low variance (table 4.4).
 /// * Whether it is lost is not told by the mean weight (w_fast, w_slow) but by what became of the beams at the
-///   one pose that is believed ([LocalizationMonitor]): beams that went through walls speak against it, soon;
-///   those that ended short of them late, as other robots that stand around must not scatter the particles. New
-///   particles come from where on the map the scan fits ([GlobalSearch]), not from anywhere, and only if it
-///   fits better there.
-/// * Where it is sure, and a few more beams than usual go through walls, it looks whether the scan fits better
-///   elsewhere: a robot that was carried to the room next door is refuted by little, but finds a rival
-///   ([AlternativeHypotheses]). Short beams are no reason: to a robot among others, many a place seems to fit
-///   better than its own.
+///   one pose that is believed ([LocalizationMonitor]). New particles come from where on the map the scan fits
+///   ([GlobalSearch]), not from anywhere, and only if it fits better there ([AlternativeHypotheses]).
+/// * A pose that was known once is *followed*: odometry is unbroken, so that the robot is nowhere else unless it was
+///   carried. Places that fit better are followed beside it and replace it after long and unambiguous evidence
+///   ([Challengers]). It is lost where the map explains too few beams, not where some go through walls
+///   ([TrackingMonitor]): furniture and walls may have been moved. Where little is explained, a scan counts less.
+/// * A scale by which odometry is wrong is estimated while a pose is followed; what is not known of it makes the pose
+///   uncertain where scans do not tell how far the robot went, as along a corridor ([OdometryScale]).
 ///
 /// What it tells:
 /// * [Quality#LOCALIZED]: scans have spoken for the pose since it was first believed (20 to 1), no other place
-///   was as good, nine tenths of the belief are here, within half a meter.
+///   was as good, nine tenths of the belief are here, within half a meter. Of a pose that is followed the map explains
+///   six of ten beams, and no other place has been better for half a meter.
 /// * [Quality#LOST]: scans have spoken against the pose (7 to 1) and not for it since, when it searches; or of
 ///   the newest scan's beams that reach walls more than seven of ten go through; or 30 updates have seen
 ///   nothing.
 /// * [Quality#AMBIGUOUS]: all else.
 ///
 /// Confidence is the share of the belief that is here times how likely scans make the pose, and 0.97 for each
-/// update in a row that has seen nothing; half of that where it is ambiguous, a tenth where it is lost. So it
-/// is 0.75 to 1 for localized, up to 0.5 for ambiguous and up to 0.1 for lost: the one that has more of it has the
-/// better word.
+/// update in a row that has seen nothing: 0.75 to 1 for localized, half of it for ambiguous, a tenth for lost.
 ///
 /// Not safe for several threads at once; the map is shared.
 public final class Amcl {
     private static final int FEWEST_BEAMS = 5; // for a global search
     private static final int CANDIDATES = 120;
     private static final int MOST_UPDATES_BETWEEN_SEARCHES = 10;
-    private static final double NEWEST = 0.1; // share of the newest scan in what is followed
-    private static final double NO_MISFIT = 0.02; // share of beams; as many may go through walls anywhere
-    private static final double MOST_MISFIT = 0.2; // the same, of one scan, or a moment would do
-    private static final double DOUBTFUL = 0.5; // sum of misfits
     private static final int SCANS_COMPARED = 5; // while the wheels stand, one of so many
     private static final double CONTRADICTED = 0.3; // share of beams through walls, by a scan alone
-    private static final double USUAL_FOR = 0.99; // share of what is usual that is left by each update
     private static final double ABOUT_THE_SAME = 0.25; // mean logarithm of a beam's likelihood
     private static final double DOUBT = -2; // logarithm of how likely a rival is that was not there before
     private static final int UPDATES_BEFORE_TRUST = 3;
@@ -148,9 +142,7 @@ public final class Amcl {
     private int updatesSinceSearch;
     private int searchAfter;
     private double fitNow = 1;
-    private double misfit; // share of the beams that went through walls, of the last scans
-    private double usualMisfit; // as many did when nothing elsewhere fitted better
-    private double doubt; // sum of what misfits were above that
+    private final MisfitMonitor misfits = new MisfitMonitor();
     private int outlasted; // rivals that were found in so many searches have all been ruled out
     private boolean trusted; // no other place has been as good since it was last lost
     private int scansStanding; // since the last update
@@ -354,7 +346,7 @@ public final class Amcl {
     private boolean challengeIsDue() {
         return lost
                 ? updatesSinceSearch >= searchAfter
-                : doubt > DOUBTFUL && updatesSinceSearch >= MOST_UPDATES_BETWEEN_SEARCHES
+                : misfits.isDoubtful() && updatesSinceSearch >= MOST_UPDATES_BETWEEN_SEARCHES
                         || isDoubtful() && updatesSinceSearch >= 2 * MOST_UPDATES_BETWEEN_SEARCHES;
     }
 
@@ -365,8 +357,7 @@ public final class Amcl {
     private void challenge(Beams beams, Pose2d pose) {
         updatesSinceSearch = 0;
         searchAfter = Math.min(searchAfter + 1, MOST_UPDATES_BETWEEN_SEARCHES);
-        doubt = 0;
-        usualMisfit = misfit;
+        misfits.settle();
         double least = search.score(beams, pose) - (lost ? ABOUT_THE_SAME : 0);
         for (GlobalSearch.Candidate candidate : search.candidates(beams, CANDIDATES)) {
             if (candidate.score() > least && !candidate.mapFromBase().isNear(pose, NEAR, NEARLY)) {
@@ -384,7 +375,7 @@ public final class Amcl {
         if (rivals.count() > 1) {
             return false;
         }
-        return trusted ? doubt > DOUBTFUL : updatesSinceSearch >= Math.min(searchAfter, UPDATES_BEFORE_TRUST);
+        return trusted ? misfits.isDoubtful() : updatesSinceSearch >= Math.min(searchAfter, UPDATES_BEFORE_TRUST);
     }
 
     /// Takes up as rivals where else on the map the scan fits as well as here, or better; where it is sure, only
@@ -400,8 +391,7 @@ public final class Amcl {
                 rivals.add(candidate.mapFromBase(), lost ? 0 : DOUBT);
             }
         }
-        doubt = 0;
-        usualMisfit = misfit;
+        misfits.settle();
         boolean alone = !lost && rivals.count() == before;
         if (alone) {
             rivals.clear();
@@ -473,9 +463,7 @@ public final class Amcl {
         trusted = !anywhere;
         outlasted = 0;
         fitNow = 1;
-        misfit = 0;
-        usualMisfit = 0;
-        doubt = 0;
+        misfits.restart();
         evidence.restart();
         monitor.restart();
         tracking = false;
@@ -507,11 +495,6 @@ public final class Amcl {
         if (reaching >= FEWEST_BEAMS) {
             fitNow = (double) fates.hits() / reaching;
         }
-        if (fates.reported() > 0) {
-            double now = (double) fates.through() / fates.reported();
-            misfit += NEWEST * (now - misfit);
-            usualMisfit *= USUAL_FOR;
-            doubt = Math.max(0, doubt + Math.min(MOST_MISFIT, now - usualMisfit - NO_MISFIT));
-        }
+        misfits.add(fates.through(), fates.reported());
     }
 }

@@ -101,10 +101,6 @@ final class Challengers {
         count = 0;
     }
 
-    boolean isFull() {
-        return count == MOST;
-    }
-
     /// Takes up a place unless it is one of them already, or there are too many.
     void add(Pose2d pose) {
         if (count < MOST && !hasNear(pose, count)) {

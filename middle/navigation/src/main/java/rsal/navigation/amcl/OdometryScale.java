@@ -25,6 +25,7 @@ final class OdometryScale {
     private static final double UNKNOWN = 0.1; // standard deviation of the factor at first
     private static final double INDEPENDENT = 0.3; // share of what a scan tells that those before it did not
     private static final double SPREAD = 0.3; // share of the variance that particles get: more of them drift by chance
+    private static final double LEAST_DRIFT = 0.1; // m, below which noise is more than enough
     private static final double CHANGE = 0.005; // of the factor, from one stretch to the next
     private static final double LEAST_CHANGE = 0.05; // below which it is not used
     private static final double SURE = 3; // deviations
@@ -90,7 +91,7 @@ final class OdometryScale {
         alongX += cos * motion.x() - sin * motion.y();
         alongY += sin * motion.x() + cos * motion.y();
         double more = alongX * alongX + alongY * alongY - before;
-        return SPREAD * Math.max(0, deviation() * deviation() * more);
+        return drift() > LEAST_DRIFT ? SPREAD * Math.max(0, deviation() * deviation() * more) : 0;
     }
 
     private double deviation() {

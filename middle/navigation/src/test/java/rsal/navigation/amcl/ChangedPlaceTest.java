@@ -85,7 +85,8 @@ class ChangedPlaceTest {
         Pose2d truth = start;
         Pose2d odometry = Pose2d.ORIGIN;
         for (int i = 0; i < steps; i++) {
-            beliefs.add(new Belief(amcl.update(odometry, seen.beams(truth, map.width() * CELL > 20 ? 3 : 8, 60)), truth));
+            beliefs.add(new Belief(
+                    amcl.update(odometry, seen.beams(truth, map.width() * CELL > 20 ? 3 : 8, 60)), truth));
             truth = truth.compose(step);
             assertThat(seen.isFree(truth))
                     .as("no robot drives through walls: %s", truth)
