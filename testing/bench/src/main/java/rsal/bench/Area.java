@@ -10,6 +10,7 @@ import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.MeasurementFailed;
 import rsal.bench.navigation.BarnBench;
 import rsal.bench.navigation.ExploreBench;
+import rsal.bench.navigation.HonestyBench;
 import rsal.bench.navigation.LocalizationBench;
 import rsal.bench.navigation.MappingBench;
 import rsal.bench.navigation.OfficeBench;
@@ -90,6 +91,7 @@ public record Area(String name, List<Bench> benches) {
                         "navigation",
                         List.of(
                                 new LocalizationBench(),
+                                new HonestyBench(),
                                 new PlanningBench(),
                                 new BarnBench(),
                                 new OfficeBench(),

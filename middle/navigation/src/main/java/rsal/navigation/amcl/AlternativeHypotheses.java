@@ -28,7 +28,7 @@ final class AlternativeHypotheses {
     /// The same of its heading [rad].
     static final double TURN_DEVIATION = 0.05;
 
-    private static final Covariance2d SPREAD = Covariance2d.ofDeviations(DEVIATION, DEVIATION, TURN_DEVIATION);
+    static final Covariance2d SPREAD = Covariance2d.ofDeviations(DEVIATION, DEVIATION, TURN_DEVIATION);
     private static final int MOST_TOLD = 10;
     private static final double SAME = 0.15; // mean logarithm of a beam's likelihood
     private static final double RULED_OUT = 12; // logarithm of how many times less likely

@@ -10,6 +10,7 @@ import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.PoseEstimate.Hypothesis;
 import rsal.data.PoseEstimate.Quality;
+import rsal.navigation.amcl.GlobalSearch.Fates;
 
 /// Adaptive Monte Carlo localization: Thrun, Burgard, Fox, Probabilistic Robotics, table 8.3, with as many
 /// particles as the belief needs ([Kld]).
@@ -19,45 +20,46 @@ import rsal.data.PoseEstimate.Quality;
 ///   same wall; else the belief would be far too sure.
 /// * It resamples only when the weights have become uneven, with low variance (table 4.4).
 /// * Whether it is lost is not told by the mean weight (w_fast, w_slow) but by what became of the beams at the
-///   one pose that is believed ([LocalizationMonitor]): beams that went through walls speak against it, soon;
-///   those that ended short of them late, as other robots that stand around must not scatter the particles. New
-///   particles come from where on the map the scan fits ([GlobalSearch]), not from anywhere, and only if it
-///   fits better there.
-/// * Where it is sure, and a few more beams than usual go through walls, it looks whether the scan fits better
-///   elsewhere: a robot that was carried to the room next door is refuted by little, but finds a rival
-///   ([AlternativeHypotheses]). Short beams are no reason: to a robot among others, many a place seems to fit
-///   better than its own.
+///   one pose that is believed ([LocalizationMonitor]). New particles come from where on the map the scan fits
+///   ([GlobalSearch]), not from anywhere, and only if it fits better there ([AlternativeHypotheses]).
+/// * A pose that was known once is *followed*: odometry is unbroken, so that the robot is nowhere else unless it was
+///   carried. Places that fit better are followed beside it and replace it after long and unambiguous evidence
+///   ([Challengers]). It is lost where the map explains too few beams, not where some go through walls
+///   ([TrackingMonitor]): furniture and walls may have been moved. Where little is explained, a scan counts less.
+/// * A scale by which odometry is wrong is estimated while a pose is followed; what is not known of it makes the pose
+///   uncertain where scans do not tell how far the robot went, as along a corridor ([OdometryScale]).
 ///
 /// What it tells:
 /// * [Quality#LOCALIZED]: scans have spoken for the pose since it was first believed (20 to 1), no other place
-///   was as good, nine tenths of the belief are here, within half a meter.
+///   was as good, nine tenths of the belief are here, within half a meter. Of a pose that is followed the map explains
+///   six of ten beams, and no other place has been better for half a meter.
 /// * [Quality#LOST]: scans have spoken against the pose (7 to 1) and not for it since, when it searches; or of
 ///   the newest scan's beams that reach walls more than seven of ten go through; or 30 updates have seen
 ///   nothing.
 /// * [Quality#AMBIGUOUS]: all else.
 ///
 /// Confidence is the share of the belief that is here times how likely scans make the pose, and 0.97 for each
-/// update in a row that has seen nothing; half of that where it is ambiguous, a tenth where it is lost. So it
-/// is 0.75 to 1 for localized, up to 0.5 for ambiguous and up to 0.1 for lost: the one that has more of it has the
-/// better word.
+/// update in a row that has seen nothing: 0.75 to 1 for localized, half of it for ambiguous, a tenth for lost.
 ///
 /// Not safe for several threads at once; the map is shared.
 public final class Amcl {
     private static final int FEWEST_BEAMS = 5; // for a global search
     private static final int CANDIDATES = 120;
     private static final int MOST_UPDATES_BETWEEN_SEARCHES = 10;
-    private static final double NEWEST = 0.1; // share of the newest scan in what is followed
-    private static final double NO_MISFIT = 0.02; // share of beams; as many may go through walls anywhere
-    private static final double MOST_MISFIT = 0.2; // the same, of one scan, or a moment would do
-    private static final double DOUBTFUL = 0.5; // sum of misfits
     private static final int SCANS_COMPARED = 5; // while the wheels stand, one of so many
     private static final double CONTRADICTED = 0.3; // share of beams through walls, by a scan alone
-    private static final double USUAL_FOR = 0.99; // share of what is usual that is left by each update
     private static final double ABOUT_THE_SAME = 0.25; // mean logarithm of a beam's likelihood
     private static final double DOUBT = -2; // logarithm of how likely a rival is that was not there before
     private static final int UPDATES_BEFORE_TRUST = 3;
     private static final int ENOUGH_OUTLASTED = 3; // sonars always find places that fit by chance
     private static final double LEAST_FIT_NOW = 0.3; // of one scan alone
+    private static final double BROKEN = 3; // m, between two scans
+    private static final double METERS_PER_RADIAN = 0.3; // that a turn counts for: it shows other walls
+    private static final double LITTLE_EXPLAINED = 0.35; // share of the beams
+    private static final double ENOUGH_MORE = 0.25; // the same
+    private static final double LEAST_TRUST = 0.02;
+    private static final double DRIFT_LOOKED_AT = 0.05; // m; to look at less would only cost time
+    private static final double REFINED = 0.5; // trust with which a pose is refined
     private static final double NEAR = 0.5; // m; one hypothesis
     private static final double NEARLY = 0.35; // rad, the same
     private static final double SURE = 0.9; // of the belief
@@ -129,6 +131,10 @@ public final class Amcl {
     private final Refinement refinement;
     private final AlternativeHypotheses rivals;
     private final LocalizationMonitor evidence;
+    private final Challengers challengers;
+    private final TrackingMonitor monitor;
+    private final OdometryScale scale = new OdometryScale();
+    private boolean tracking; // it was known where it is, and odometry is unbroken since
     private Pose2d odomFromBase = Pose2d.ORIGIN;
     private boolean fresh = true;
     private boolean anywhere = true;
@@ -136,9 +142,7 @@ public final class Amcl {
     private int updatesSinceSearch;
     private int searchAfter;
     private double fitNow = 1;
-    private double misfit; // share of the beams that went through walls, of the last scans
-    private double usualMisfit; // as many did when nothing elsewhere fitted better
-    private double doubt; // sum of what misfits were above that
+    private final MisfitMonitor misfits = new MisfitMonitor();
     private int outlasted; // rivals that were found in so many searches have all been ruled out
     private boolean trusted; // no other place has been as good since it was last lost
     private int scansStanding; // since the last update
@@ -154,6 +158,8 @@ public final class Amcl {
         this.refinement = new Refinement(map.toFace, map.deviation, settings.independentBeams());
         this.rivals = new AlternativeHypotheses(search, refinement, settings.independentBeams());
         this.evidence = new LocalizationMonitor(settings.independentBeams());
+        this.challengers = new Challengers(search, refinement, settings.independentBeams());
+        this.monitor = new TrackingMonitor(settings.independentBeams());
     }
 
     /// Starts again from a belief, drawn as KLD-sampling does: as many particles as the bins they fall into ask
@@ -168,6 +174,7 @@ public final class Amcl {
         trusted = isSingle(belief);
         if (trusted) {
             evidence.trust();
+            track();
         }
         filter.start(belief);
     }
@@ -201,7 +208,7 @@ public final class Amcl {
         }
         Beams seen = beams.get();
         Pose2d motion = this.odomFromBase.inverse().compose(odomFromBase);
-        Fates fates = fates(seen, newest.mapFromBase().compose(motion));
+        Fates fates = search.fates(seen, newest.mapFromBase().compose(motion));
         return seen.cone() == 0
                 && fates.reported() >= FEWEST_BEAMS
                 && fates.through() > CONTRADICTED * fates.reported();
@@ -215,46 +222,148 @@ public final class Amcl {
         if (!odomFromBase.isFinite()) {
             throw new IllegalArgumentException("Odometry can't say '%s'.".formatted(odomFromBase));
         }
-        Pose2d motion = fresh ? Pose2d.ORIGIN : this.odomFromBase.inverse().compose(odomFromBase);
+        Pose2d reported = fresh ? Pose2d.ORIGIN : this.odomFromBase.inverse().compose(odomFromBase);
+        Pose2d motion = scale.corrected(reported);
         if (anywhere) {
             scatter(beams);
         } else if (!fresh) {
-            filter.move(this.odomFromBase, odomFromBase);
+            move(odomFromBase, reported, motion);
         }
         this.odomFromBase = odomFromBase;
         scansStanding = 0;
         fresh = false;
         if (beams.count() > 0) {
-            filter.weigh(beams);
+            filter.weigh(beams, trust());
         }
         PoseEstimate clustered = seen(filter.estimate(), motion, beams.count() > 0);
-        Pose2d pose = refinement.refine(beams, clustered.mapFromBase(), clustered.covariance());
+        Pose2d pose = trust() < REFINED
+                ? clustered.mapFromBase()
+                : refinement.refine(beams, clustered.mapFromBase(), clustered.covariance());
         if (newest != null && !newest.mapFromBase().compose(motion).isNear(pose, NEAR, NEARLY)) {
             evidence.restart(); // what spoke for the other place says nothing of this one
+            monitor.restart();
+            scale.restart();
             trusted = false;
         }
         if (beams.count() > 0) {
-            judge(fates(beams, pose));
-            lost = lost ? !evidence.speaksFor() : evidence.isRefuted();
+            judge(search.fates(beams, pose));
+            lost = tracking
+                    ? lost ? !monitor.speaksFor() : monitor.isRefuted()
+                    : lost ? !evidence.speaksFor() : evidence.isRefuted();
+            if (scale.drift() > DRIFT_LOOKED_AT) {
+                scale.shrink(clustered.covariance(), refinement.add(beams, pose));
+            }
+            scale.see(pose, clustered.covariance(), tracking && monitor.isPlausible());
         }
         trusted &= !lost;
+        updatesSinceSearch++;
+        PoseEstimate estimate =
+                tracking ? tracked(beams, motion, clustered, pose) : found(beams, motion, clustered, pose);
+        newest = estimate.hypotheses().getFirst();
+        filter.resampleIfDue();
+        if (!tracking && rivals.count() > 0 && rivals.share(newest.mapFromBase(), NEAR, NEARLY) < 1 - SURE) {
+            filter.inject(rivals.best());
+        }
+        if (!tracking && estimate.quality() == Quality.LOCALIZED) {
+            track();
+        }
+        return estimate;
+    }
+
+    /// How much a scan counts: little where the map explains little of what is seen, as it would pull the pose to where
+    /// something else fits by chance. Then odometry knows better.
+    private double trust() {
+        return tracking ? Math.clamp((monitor.explained() - LITTLE_EXPLAINED) / ENOUGH_MORE, LEAST_TRUST, 1) : 1;
+    }
+
+    /// From now on the pose is followed: other places must do much to be believed.
+    private void track() {
+        tracking = true;
+        monitor.trust();
+        challengers.clear();
+        rivals.clear();
+    }
+
+    private void move(Pose2d odomFromBase, Pose2d reported, Pose2d motion) {
+        if (tracking && newest != null && Math.hypot(reported.x(), reported.y()) > BROKEN) {
+            breakOff(newest.mapFromBase());
+        }
+        double theta = newest == null ? 0 : newest.mapFromBase().theta();
+        double more = tracking ? scale.move(reported, theta) : 0;
+        if (scale.isWrong()) {
+            filter.move(Pose2d.ORIGIN, motion, more);
+        } else {
+            filter.move(this.odomFromBase, odomFromBase, more);
+        }
+    }
+
+    /// Odometry says what no robot does between two scans: it may as well be where it was.
+    private void breakOff(Pose2d before) {
+        tracking = false;
+        trusted = false;
+        evidence.restart();
+        scale.restart();
+        challengers.clear();
+        rivals.clear();
+        filter.inject(before);
+        updatesSinceSearch = MOST_UPDATES_BETWEEN_SEARCHES;
+    }
+
+    /// The estimate while it is not known to be anywhere, or not for long enough.
+    private PoseEstimate found(Beams beams, Pose2d motion, PoseEstimate clustered, Pose2d pose) {
         if (rivals.count() > 0) {
             rivals.follow(motion, settings.odometry().covariance(motion), beams);
             if (!rivals.hasNear(pose, NEAR, NEARLY)) {
                 rivals.add(pose, 0);
             }
         }
-        updatesSinceSearch++;
         if (beams.count() >= FEWEST_BEAMS && searchIsDue()) {
             lookElsewhere(beams, pose);
         }
-        PoseEstimate estimate = judged(clustered, pose);
-        newest = estimate.hypotheses().getFirst();
-        filter.resampleIfDue();
-        if (rivals.count() > 0 && rivals.share(pose, NEAR, NEARLY) < 1 - SURE) {
-            filter.inject(rivals.best());
+        return judged(clustered, pose);
+    }
+
+    /// The estimate while it is followed.
+    private PoseEstimate tracked(Beams beams, Pose2d motion, PoseEstimate clustered, Pose2d pose) {
+        double step = Math.hypot(motion.x(), motion.y()) + METERS_PER_RADIAN * Math.abs(motion.theta());
+        challengers.follow(motion, settings.odometry().covariance(motion), step, beams, pose);
+        List<Pose2d> winner = challengers.winner(pose, 2 * scale.drift(), monitor.explained(), lost);
+        if (!winner.isEmpty()) {
+            Pose2d right = winner.getFirst();
+            filter.start(PoseEstimate.of(right, AlternativeHypotheses.SPREAD));
+            challengers.clear();
+            scale.restart();
+            monitor.restart();
+            lost = false;
+            return judged(filter.estimate(), right);
         }
-        return estimate;
+        if (beams.count() >= FEWEST_BEAMS && challengeIsDue()) {
+            challenge(beams, pose);
+        }
+        return judged(clustered, pose);
+    }
+
+    private boolean challengeIsDue() {
+        return lost
+                ? updatesSinceSearch >= searchAfter
+                : misfits.isDoubtful() && updatesSinceSearch >= MOST_UPDATES_BETWEEN_SEARCHES
+                        || isDoubtful() && updatesSinceSearch >= 2 * MOST_UPDATES_BETWEEN_SEARCHES;
+    }
+
+    private boolean isDoubtful() {
+        return monitor.explained() < Challengers.DOUBTFUL;
+    }
+
+    private void challenge(Beams beams, Pose2d pose) {
+        updatesSinceSearch = 0;
+        searchAfter = Math.min(searchAfter + 1, MOST_UPDATES_BETWEEN_SEARCHES);
+        misfits.settle();
+        double least = search.score(beams, pose) - (lost ? ABOUT_THE_SAME : 0);
+        for (GlobalSearch.Candidate candidate : search.candidates(beams, CANDIDATES)) {
+            if (candidate.score() > least && !candidate.mapFromBase().isNear(pose, NEAR, NEARLY)) {
+                challengers.add(candidate.mapFromBase());
+            }
+        }
     }
 
     /// Soon when it is lost, then less and less often; when it is about to be sure for the first time since; now and
@@ -266,7 +375,7 @@ public final class Amcl {
         if (rivals.count() > 1) {
             return false;
         }
-        return trusted ? doubt > DOUBTFUL : updatesSinceSearch >= Math.min(searchAfter, UPDATES_BEFORE_TRUST);
+        return trusted ? misfits.isDoubtful() : updatesSinceSearch >= Math.min(searchAfter, UPDATES_BEFORE_TRUST);
     }
 
     /// Takes up as rivals where else on the map the scan fits as well as here, or better; where it is sure, only
@@ -282,8 +391,7 @@ public final class Amcl {
                 rivals.add(candidate.mapFromBase(), lost ? 0 : DOUBT);
             }
         }
-        doubt = 0;
-        usualMisfit = misfit;
+        misfits.settle();
         boolean alone = !lost && rivals.count() == before;
         if (alone) {
             rivals.clear();
@@ -317,14 +425,15 @@ public final class Amcl {
         var clusters = new ArrayList<>(clustered.hypotheses());
         Hypothesis first = clusters.getFirst();
         clusters.set(0, new Hypothesis(first.weight(), pose, first.covariance()));
-        List<Hypothesis> hypotheses = rivals.join(clusters, NEAR, NEARLY);
+        List<Hypothesis> hypotheses = tracking ? challengers.join(clusters) : rivals.join(clusters, NEAR, NEARLY);
         double share = hypotheses.getFirst().weight();
-        double likely = Math.clamp(share, 0, 1) * evidence.probability() * Math.pow(BLIND_TRUST, blind);
-        boolean sure = trusted
-                && evidence.isPlausible()
+        double right = tracking ? monitor.probability() : evidence.probability();
+        double likely = Math.clamp(share, 0, 1) * right * Math.pow(BLIND_TRUST, blind);
+        boolean plausible = tracking ? monitor.isPlausible() && !isDoubtful() : trusted && evidence.isPlausible();
+        boolean sure = plausible
                 && blind < BLIND_AND_SURE
                 && share >= SURE
-                && first.covariance().positionDeviation() <= PRECISE;
+                && Math.max(first.covariance().positionDeviation(), scale.drift()) <= PRECISE;
         boolean astray = lost || fitNow < LEAST_FIT_NOW || blind >= BLIND_AND_LOST;
         Quality quality = astray ? Quality.LOST : sure ? Quality.LOCALIZED : Quality.AMBIGUOUS;
         double confidence = switch (quality) {
@@ -354,10 +463,12 @@ public final class Amcl {
         trusted = !anywhere;
         outlasted = 0;
         fitNow = 1;
-        misfit = 0;
-        usualMisfit = 0;
-        doubt = 0;
+        misfits.restart();
         evidence.restart();
+        monitor.restart();
+        tracking = false;
+        challengers.clear();
+        scale.restart();
         blind = 0;
         newest = null;
         rivals.clear();
@@ -376,42 +487,14 @@ public final class Amcl {
         filter.scatter(candidates);
     }
 
-    /// What became of the beams of a scan; what left the map says nothing.
-    private record Fates(int hits, int through, int shorter) {
-        int reported() {
-            return hits + through + shorter;
-        }
-    }
-
-    private Fates fates(Beams beams, Pose2d mapFromBase) {
-        double cos = Math.cos(mapFromBase.theta());
-        double sin = Math.sin(mapFromBase.theta());
-        int hits = 0;
-        int through = 0;
-        int shorter = 0;
-        for (int i = 0; i < beams.count(); i++) {
-            switch (search.verdict(beams, i, mapFromBase, cos, sin)) {
-                case HIT -> hits++;
-                case THROUGH -> through++;
-                case SHORT -> shorter++;
-                case OUTSIDE -> {}
-            }
-        }
-        return new Fates(hits, through, shorter);
-    }
-
     /// Takes up what became of the beams at the estimate.
     private void judge(Fates fates) {
         evidence.add(fates.hits(), fates.through(), fates.shorter());
+        monitor.add(fates.hits(), fates.through(), fates.shorter());
         int reaching = fates.hits() + fates.through();
         if (reaching >= FEWEST_BEAMS) {
             fitNow = (double) fates.hits() / reaching;
         }
-        if (fates.reported() > 0) {
-            double now = (double) fates.through() / fates.reported();
-            misfit += NEWEST * (now - misfit);
-            usualMisfit *= USUAL_FOR;
-            doubt = Math.max(0, doubt + Math.min(MOST_MISFIT, now - usualMisfit - NO_MISFIT));
-        }
+        misfits.add(fates.through(), fates.reported());
     }
 }

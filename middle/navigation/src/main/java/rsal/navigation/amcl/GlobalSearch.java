@@ -102,6 +102,30 @@ final class GlobalSearch {
         OUTSIDE
     }
 
+    /// What became of the beams of a scan; what left the map says nothing.
+    record Fates(int hits, int through, int shorter) {
+        int reported() {
+            return hits + through + shorter;
+        }
+    }
+
+    Fates fates(Beams beams, Pose2d mapFromBase) {
+        double cos = Math.cos(mapFromBase.theta());
+        double sin = Math.sin(mapFromBase.theta());
+        int hits = 0;
+        int through = 0;
+        int shorter = 0;
+        for (int i = 0; i < beams.count(); i++) {
+            switch (verdict(beams, i, mapFromBase, cos, sin)) {
+                case HIT -> hits++;
+                case THROUGH -> through++;
+                case SHORT -> shorter++;
+                case OUTSIDE -> {}
+            }
+        }
+        return new Fates(hits, through, shorter);
+    }
+
     /// @param cos of the heading
     /// @param sin the same
     Verdict verdict(Beams beams, int beam, Pose2d mapFromBase, double cos, double sin) {

@@ -73,8 +73,15 @@ public record OdometryModel(
 
     /// Moves particles as odometry says that the robot moved, each with noise of its own.
     void move(Pose2d odomFromOld, Pose2d odomFromNew, Particles particles, RandomGenerator random) {
+        move(odomFromOld, odomFromNew, 0, particles, random);
+    }
+
+    /// The same with more noise along the way.
+    ///
+    /// @param more variance [m²]
+    void move(Pose2d odomFromOld, Pose2d odomFromNew, double more, Particles particles, RandomGenerator random) {
         if (base == Base.OMNIDIRECTIONAL) {
-            slide(odomFromOld.inverse().compose(odomFromNew), particles, random);
+            slide(odomFromOld.inverse().compose(odomFromNew), more, particles, random);
             return;
         }
         double dx = odomFromNew.x() - odomFromOld.x();
@@ -89,7 +96,7 @@ public record OdometryModel(
         double secondTurn = Angles.wrap(turn - firstTurn);
 
         double length = Math.abs(way);
-        double wayNoise = distancePerMeter * Math.sqrt(length);
+        double wayNoise = alongNoise(length, more);
         double drivingNoise = headingPerMeter * headingPerMeter * length / 2; // half of it before, half after
         double turningNoise = headingPerRadian * headingPerRadian;
         double firstNoise = Math.sqrt(drivingNoise + turningNoise * Math.abs(firstTurn));
@@ -103,10 +110,15 @@ public record OdometryModel(
         }
     }
 
-    private void slide(Pose2d way, Particles particles, RandomGenerator random) {
+    private double alongNoise(double length, double more) {
+        double usual = distancePerMeter * Math.sqrt(length);
+        return more > 0 ? Math.sqrt(usual * usual + more) : usual;
+    }
+
+    private void slide(Pose2d way, double more, Particles particles, RandomGenerator random) {
         double length = Math.hypot(way.x(), way.y());
         double bearing = length < NO_MOTION ? 0 : Math.atan2(way.y(), way.x());
-        double alongNoise = distancePerMeter * Math.sqrt(length);
+        double alongNoise = alongNoise(length, more);
         double acrossNoise = sidewaysPerMeter * Math.sqrt(length);
         double turn = way.theta();
         double turnNoise = Math.sqrt(

@@ -52,8 +52,10 @@ final class ParticleFilter {
     }
 
     /// Moves the particles as odometry says that the robot moved.
-    void move(Pose2d odomFromBefore, Pose2d odomFromBase) {
-        settings.odometry().move(odomFromBefore, odomFromBase, particles, random);
+    ///
+    /// @param more variance along the way [m²], besides what the model of odometry says
+    void move(Pose2d odomFromBefore, Pose2d odomFromBase, double more) {
+        settings.odometry().move(odomFromBefore, odomFromBase, more, particles, random);
     }
 
     /// Where the robot is, by clusters of particles.
@@ -146,8 +148,10 @@ final class ParticleFilter {
     }
 
     /// Weighs particles by how likely a scan is at each: Probabilistic Robotics, table 8.3, line 5.
-    void weigh(Beams beams) {
-        double beamWeight = Math.min(1, settings.independentBeams() / beams.count());
+    ///
+    /// @param trust how much the scan counts, 1 at most
+    void weigh(Beams beams, double trust) {
+        double beamWeight = trust * Math.min(1, settings.independentBeams() / beams.count());
         double best = Double.NEGATIVE_INFINITY;
         if (particles.count > logs.length) {
             logs = new double[particles.x.length];

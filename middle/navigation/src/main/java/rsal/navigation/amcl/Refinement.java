@@ -98,6 +98,12 @@ final class Refinement {
         into[0] = (z1 - l21 * into[1] - l31 * into[2]) / l11;
     }
 
+    /// Sums up what a scan tells about a pose, as [#refine] counts it.
+    double[] add(Beams beams, Pose2d pose) {
+        double scale = Math.min(1, independentBeams / beams.count()) / (deviation * deviation);
+        return add(beams, pose.x(), pose.y(), pose.theta(), scale);
+    }
+
     /// Sums up what beams tell about a pose: the upper triangle of the information, row by row, and its right side.
     /// They hold until the next call.
     double[] add(Beams beams, double x, double y, double theta, double scale) {

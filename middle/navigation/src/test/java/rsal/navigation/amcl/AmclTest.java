@@ -231,10 +231,12 @@ class AmclTest {
                 .isLessThan(0.1);
     }
 
-    /// Nine of ten beams fit in the room next door too.
-    @ParameterizedTest
-    @CsvSource({"1, b", "2, c", "3, b", "4, c", "5, b", "6, c"})
-    void noticesThatItWasCarriedToARoomThatIsAlike(long seed, char room) {
+    /// Nine of ten beams fit in the room next door too: as in a room where a cupboard was moved. It can't know which of
+    /// both is so, and says it.
+    @Trials(
+            value = {"1, b", "2, c", "3, b", "4, c"},
+            landing = 2)
+    void noticesThatItMayHaveBeenCarriedToARoomThatIsAlike(long seed, char room) {
         var seen = new Seen(LIKE_ROOMS);
         var amcl = new Amcl(
                 new LocalizationMap(LIKE_ROOMS.grid(), 0.1, 0.05),
@@ -248,9 +250,9 @@ class AmclTest {
 
         List<PoseEstimate> reported = drive(amcl, seen, elsewhere, after(Pose2d.ORIGIN, 40), 60);
 
-        assertThat(reported.getLast().quality()).isEqualTo(Quality.LOCALIZED);
-        assertThat(reported.getLast().mapFromBase().distanceTo(after(elsewhere, 60)))
-                .isLessThan(0.1);
+        assertThat(reported.getLast().quality()).isEqualTo(Quality.AMBIGUOUS);
+        assertThat(reported.getLast().hypotheses())
+                .anyMatch(h -> h.mapFromBase().distanceTo(after(elsewhere, 60)) < 0.1);
     }
 
     @LongTest

@@ -174,7 +174,7 @@ class ParticleFilterTest {
         ParticleFilter filter = filter(ROOM, 200, 200);
         filter.start(PoseEstimate.of(truth, Covariance2d.ofDeviations(0.1, 0.1, 0.05)));
         ParticleCloud before = filter.cloud();
-        filter.weigh(beams);
+        filter.weigh(beams, 1);
         ParticleCloud after = filter.cloud();
         double share = Math.min(1, 15.0 / beams.count());
         double[] expected = IntStream.range(0, 200)
@@ -187,7 +187,7 @@ class ParticleFilterTest {
             assertThat((double) after.weights()[i])
                     .isCloseTo(expected[i] / sum, within(1e-3 * expected[i] / sum + 1e-6));
         }
-        filter.weigh(beams); // once more: the square
+        filter.weigh(beams, 1); // once more: the square
         ParticleCloud twice = filter.cloud();
         double squares = IntStream.range(0, 200)
                 .mapToDouble(i -> expected[i] * expected[i])
@@ -208,7 +208,7 @@ class ParticleFilterTest {
         List<Pose2d> before = poses(filter);
         filter.resampleIfDue();
         assertThat(poses(filter)).as("even ones stay as they are").isEqualTo(before);
-        filter.weigh(SEEN.beams(truth, 60));
+        filter.weigh(SEEN.beams(truth, 60), 1);
         float[] weights = filter.cloud().weights();
         filter.resampleIfDue();
         List<Pose2d> after = poses(filter);

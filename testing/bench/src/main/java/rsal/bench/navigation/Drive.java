@@ -2,6 +2,7 @@ package rsal.bench.navigation;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
 import rsal.data.Angles;
@@ -63,13 +64,26 @@ final class Drive {
         return free.choose(random, _ -> true).orElseThrow();
     }
 
+    private Point2d anywhere(RandomGenerator random, Predicate<Point2d> willDo) {
+        Point2d place = anywhere(random).position();
+        while (!willDo.test(place)) {
+            place = anywhere(random).position();
+        }
+        return place;
+    }
+
     /// To one random place after the other.
     List<Tick> tour(Pose2d start, int ticks, RandomGenerator random) {
+        return tour(start, ticks, random, _ -> true);
+    }
+
+    /// To one random place after the other, of those that will do.
+    List<Tick> tour(Pose2d start, int ticks, RandomGenerator random, Predicate<Point2d> willDo) {
         var truth = new ArrayList<Pose2d>();
         truth.add(start);
         while (truth.size() < ticks) {
             Pose2d last = truth.getLast();
-            if (planner.plan(last.position(), anywhere(random).position(), RADIUS) instanceof Plan.Found found) {
+            if (planner.plan(last.position(), anywhere(random, willDo), RADIUS) instanceof Plan.Found found) {
                 follow(found.path(), truth, ticks);
             }
         }
