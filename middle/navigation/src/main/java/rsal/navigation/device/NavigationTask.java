@@ -138,7 +138,8 @@ final class NavigationTask {
     Twist2d beat(Situation now) {
         mapFromBase = now.mapFromBase();
         knewPlace = true;
-        unsure = confidence.isUnsure(now.now(), now.estimate());
+        unsure = confidence.isUnsure(
+                now.now(), now.estimate(), parts.traffic().isAmongOthers(now.now(), mapFromBase));
         if (unsure) {
             parts.traffic().stands(now.now(), mapFromBase);
             return lookAround(now);
