@@ -152,7 +152,7 @@ final class RightOfWay implements TrafficRule {
             release(ahead);
             return claim == null ? new TrafficAdvice.Proceed() : drive(claim, ahead, path);
         }
-        return approach(claim, ahead, path);
+        return approach(claim, ahead);
     }
 
     private TrafficAdvice drive(OwnClaim held, List<Crossing> ahead, List<Point2d> path) {
@@ -172,7 +172,7 @@ final class RightOfWay implements TrafficRule {
         return leadsOn && !isInside(held) ? new TrafficAdvice.Halt() : new TrafficAdvice.Proceed();
     }
 
-    private TrafficAdvice approach(OwnClaim wanted, List<Crossing> ahead, List<Point2d> path) {
+    private TrafficAdvice approach(OwnClaim wanted, List<Crossing> ahead) {
         Optional<Crossing> next = ahead.stream()
                 .filter(crossing -> wanted.contains(crossing.passage()))
                 .findFirst();
@@ -345,8 +345,10 @@ final class RightOfWay implements TrafficRule {
         }
         for (Mate mate : mates.all()) {
             Claim other = mate.report.claim().orElse(null);
-            boolean comes = other != null
-                    && !other.isHeld()
+            if (other == null) {
+                continue;
+            }
+            boolean comes = !other.isHeld()
                     && neighbors.meets(held, other.passages())
                     && Neighbors.isSame(other.entry(), held.entry)
                     && mate.report.done() < other.ticket()
