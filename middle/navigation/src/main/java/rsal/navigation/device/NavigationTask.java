@@ -123,6 +123,11 @@ final class NavigationTask {
         progress.resume(scheduler.instant());
     }
 
+    /// Who comes along holds the robot up, which is nobody's failure.
+    void onYielding() {
+        progress.excuse(scheduler.instant());
+    }
+
     /// What to command when it is not known where the robot is or what is around it.
     Twist2d blindBeat() {
         if (progress.isTimeToGiveUp(scheduler.instant())) {
@@ -138,7 +143,7 @@ final class NavigationTask {
     Twist2d beat(Situation now) {
         mapFromBase = now.mapFromBase();
         knewPlace = true;
-        unsure = confidence.isUnsure(now.now(), now.estimate());
+        unsure = confidence.isUnsure(now.now(), now.estimate(), parts.traffic().isAmongOthers(now.now(), mapFromBase));
         if (unsure) {
             parts.traffic().stands(now.now(), mapFromBase);
             return lookAround(now);
@@ -207,9 +212,13 @@ final class NavigationTask {
     private Twist2d driveTo(Point2d target, Point2d end, Situation now) {
         boolean last = target.distanceTo(end) < settings.lookahead() / 8;
         Pose2d baseFromMap = mapFromBase.inverse();
-        List<Point2d> way = path().points().stream().map(baseFromMap::transform).toList();
+        var side = new KeepingRight(parts.toNotFree(), settings.bodyRadius());
+        boolean keepsRight = now.meetsOthers() && !last;
+        List<Point2d> way = (keepsRight ? side.path(path().points()) : path().points())
+                .stream().map(baseFromMap::transform).toList();
+        Point2d place = keepsRight ? side.target(mapFromBase.position(), target) : target;
         return parts.avoidance()
-                .drive(now.obstacles(), new Target(baseFromMap.transform(target), last, way), now.motion());
+                .drive(now.obstacles(), new Target(baseFromMap.transform(place), last, way), now.motion());
     }
 
     private Twist2d turnToGoal(Situation now) {

@@ -88,6 +88,9 @@ public final class NavigatorDriver implements DeviceDriver {
     private static final Parameter<PluginChoice> TRAFFIC = Parameter.plugin(
             "traffic", "rightOfWay", TRAFFIC_TYPES, "decides which robot goes first where two cannot pass");
 
+    private static final Parameter<Boolean> PREDICT_MOVERS = Parameter.flag(
+            "predictMovers", true, "predict where people and others go that a laser sees moving, and yield to them");
+
     private final GlobalPlanners planners = new GlobalPlanners();
 
     @Override
@@ -121,6 +124,7 @@ public final class NavigatorDriver implements DeviceDriver {
         parameters.add(RECOVERIES);
         parameters.add(LOST_RECOVERY);
         parameters.add(TRAFFIC);
+        parameters.add(PREDICT_MOVERS);
         parameters.add(MAX_SPEED);
         parameters.add(MAX_TURN_RATE);
         parameters.add(MAX_ACCELERATION);
@@ -209,7 +213,8 @@ public final class NavigatorDriver implements DeviceDriver {
                                 lookahead + 2 * model.footprint().circumscribedRadius()),
                         model.footprint().circumscribedRadius(),
                         arguments.seconds(REPLAN_PERIOD),
-                        arguments.seconds(TIMEOUT)),
+                        arguments.seconds(TIMEOUT),
+                        arguments.get(PREDICT_MOVERS)),
                 context.scheduler());
         navigator.start();
         return navigator;

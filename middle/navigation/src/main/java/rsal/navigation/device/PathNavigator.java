@@ -27,8 +27,10 @@ import rsal.device.SonarArray;
 import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.Controller.Motion;
 import rsal.navigation.avoid.DriveLimits;
+import rsal.navigation.avoid.Movers;
 import rsal.navigation.avoid.ObstacleMemory;
 import rsal.navigation.avoid.Obstacles;
+import rsal.navigation.avoid.Yielding;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.traffic.TrafficRule;
 import rsal.navigation.wavefront.GlobalPlanner;
@@ -47,6 +49,9 @@ final class PathNavigator extends DeviceCore implements Navigator {
     private static final double STRANGER_ROOM = 0.05; // m, standing
     private static final double STRANGER_ROOM_PER_SPEED = 0.4; // m per m/s; a stranger as fast needs it to stop, too
     private static final Duration STRANGERS_FADE = Duration.ofSeconds(15);
+
+    private static final double MEETING = 3.5; // m; who comes from there on is met on the right
+    private static final double PREDICTED_BEYOND = 0.35; // m from the robot's circle; nearer it could not move any more
 
     private static final double BEHIND = Math.toRadians(60); // to each side
     private static final int BEHIND_RAYS = 6; // to each side; a chair's leg fits between, a cabinet doesn't
@@ -73,24 +78,28 @@ final class PathNavigator extends DeviceCore implements Navigator {
     /// @param view how far around what it sees counts [m]
     /// @param bodyRadius of the circle that the robot turns in [m]
     /// @param patience how long it tries without getting nearer to the goal
+    /// @param predictsMovers whether it foresees where those go that move
     record Settings(
             DriveLimits limits,
             double lookahead,
             double view,
             double bodyRadius,
             Duration replanPeriod,
-            Duration patience) {}
+            Duration patience,
+            boolean predictsMovers) {}
 
     /// What a beat sees.
     ///
     /// @param seesBehind whether anything looks straight back
+    /// @param meetsOthers whether somebody comes towards the robot
     record Situation(
             Instant now,
             PoseEstimate estimate,
             Motion motion,
             boolean stalled,
             Obstacles obstacles,
-            boolean seesBehind) {
+            boolean seesBehind,
+            boolean meetsOthers) {
         Pose2d mapFromBase() {
             return estimate.mapFromBase();
         }
@@ -101,6 +110,9 @@ final class PathNavigator extends DeviceCore implements Navigator {
     private final Scheduler scheduler;
     private final Obstacles obstacles;
     private final ObstacleMemory blindSpot;
+    private final Movers movers = new Movers();
+    private final Movers.KnownPlaces known = this::isOnMap;
+    private final Yielding yielding;
     private @Nullable NavigationTask task;
     private boolean paused;
     private boolean held; // as motors were off
@@ -113,6 +125,7 @@ final class PathNavigator extends DeviceCore implements Navigator {
         this.scheduler = scheduler;
         this.obstacles = new Obstacles(settings.view());
         this.blindSpot = new ObstacleMemory(3 * settings.bodyRadius(), STRANGERS_FADE);
+        this.yielding = new Yielding(settings.limits(), settings.bodyRadius());
     }
 
     void start() {
@@ -217,11 +230,23 @@ final class PathNavigator extends DeviceCore implements Navigator {
             held = false;
         }
         Optional<Situation> situation = look();
-        Twist2d command = situation.map(now::beat).orElseGet(now::blindBeat);
+        Twist2d command =
+                situation.map(seen -> yielding(now.beat(seen), now, seen)).orElseGet(now::blindBeat);
         driving = command.vx() != 0;
         if (now.equals(task)) {
             parts.base().command(command);
         }
+    }
+
+    private Twist2d yielding(Twist2d wanted, NavigationTask now, Situation seen) {
+        if (!settings.predictsMovers() || !now.equals(task)) {
+            return wanted;
+        }
+        Twist2d command = yielding.yielding(wanted, movers, seen.obstacles(), seen.motion(), parts.avoidance());
+        if (!command.equals(wanted)) {
+            now.onYielding();
+        }
+        return command;
     }
 
     /// What is around; empty, with the reason as health, when something needed is missing or old.
@@ -257,6 +282,15 @@ final class PathNavigator extends DeviceCore implements Navigator {
             blindSpot.recall(s.value(), odomFromBase, scheduler.instant(), room, obstacles);
             blindSpot.note(s.value(), obstacles, odomFromBase, scheduler.instant());
             addWallsBehind(estimate.get().value());
+            if (settings.predictsMovers()) {
+                movers.see(
+                        s.value(),
+                        s.time(),
+                        odomFromBase,
+                        estimate.get().value().mapFromBase(),
+                        known);
+                movers.predict(obstacles, settings.bodyRadius() + PREDICTED_BEYOND, room);
+            }
         });
         return Optional.of(new Situation(
                 scheduler.instant(),
@@ -264,7 +298,8 @@ final class PathNavigator extends DeviceCore implements Navigator {
                 new Motion(odomFromBase, odometry.get().value().velocity()),
                 odometry.get().value().stalled(),
                 obstacles,
-                seesBehind(scan, ranges)));
+                seesBehind(scan, ranges),
+                movers.isAnyComing(MEETING)));
     }
 
     private static boolean seesBehind(Optional<Stamped<LaserScan>> scan, Optional<Stamped<RangeArray>> ranges) {
@@ -289,6 +324,10 @@ final class PathNavigator extends DeviceCore implements Navigator {
                 obstacles.add(nearest * Math.cos(direction), nearest * Math.sin(direction));
             }
         }
+    }
+
+    private boolean isOnMap(double x, double y) {
+        return parts.toNotFree().at(x, y) <= STRANGE;
     }
 
     /// What is not on the map may move, and towards the robot.

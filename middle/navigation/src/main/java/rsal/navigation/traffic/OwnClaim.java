@@ -13,6 +13,7 @@ import rsal.navigation.passage.Passages.Crossing;
 /// The passages that a robot wants, or has: all up to the next place in which it can stand free of them.
 final class OwnClaim {
     private static final double LANDING = 1.5; // m of path; less between two passages is no place to stand
+    private static final double HEADWAY = 1.1; // m between the middles of two robots that follow each other
     private static final double EXIT = 2.5; // m of path behind the last one, kept free of who waits
 
     final long ticket;
@@ -20,6 +21,7 @@ final class OwnClaim {
     final Point2d entry;
     final Gate entryGate;
     private final List<Passage> passages;
+    private final double length; // m of path through them
     private List<Point2d> exit;
 
     @Nullable
@@ -47,6 +49,7 @@ final class OwnClaim {
         this.entryGate = passages.getFirst().gateNear(first);
         this.entry = entryGate.mapFromGate();
         this.exit = exit(path, end);
+        this.length = end - crossings.getFirst().from();
     }
 
     /// Of a robot that stands in a passage without a path.
@@ -57,6 +60,13 @@ final class OwnClaim {
         this.entryGate = passage.gateNear(place);
         this.entry = entryGate.mapFromGate();
         this.exit = List.of();
+        this.length = 0;
+    }
+
+    /// To change the direction costs the time in which one robot passes the whole length, and another robot in the
+    /// same direction no more than its distance to the one before: so many that both are equal.
+    int robotsPerDirection() {
+        return 1 + (int) (length / HEADWAY);
     }
 
     private static List<Point2d> exit(List<Point2d> path, double from) {

@@ -32,19 +32,19 @@ final class RightOfWay implements TrafficRule {
     private static final Duration HELLO = Duration.ofSeconds(2); // while it has heard nobody
     private static final Duration ASKING = Duration.ofMillis(300);
     private static final Duration WAITING = Duration.ofSeconds(1);
-    private static final Duration LEFT = Duration.ofSeconds(2); // without moving; then it stands there
     private static final Duration LEAVING = Duration.ofSeconds(6); // for which it tells where it is
     private static final double LOST_WAY = 2; // m farther than claimed from
-    private static final double SAME_GATE = 1.0; // m between what two robots take for one gate
     private static final double TURN_OFF = 2.5; // m of path before a passage at which it leaves for a waiting place
     private static final double STOP = 0.6; // m before a passage
     private static final double CLEAR = 0.15; // m between a robot's middle and the passage that it has left
+    private static final double HIDING = 4; // m; robots that are nearer cover much of a scan
     private static final double FAR = 60; // m of path that count for a claim
 
     private final TrafficType.Participant self;
     private final Settings settings;
     private final Mates mates = new Mates();
     private final WaitingChoice places;
+    private final Neighbors neighbors;
     private final Set<String> askers = new TreeSet<>();
     private final List<Follower> followers = new ArrayList<>();
     private @Nullable Passages passages;
@@ -76,6 +76,7 @@ final class RightOfWay implements TrafficRule {
         this.settings = settings;
         this.now = self.start();
         this.places = new WaitingChoice(mates, self.robot(), self.radius());
+        this.neighbors = new Neighbors(mates, self);
         self.link().onMessage(TrafficReport.class, this::heard);
     }
 
@@ -95,6 +96,7 @@ final class RightOfWay implements TrafficRule {
             answer();
             return new TrafficAdvice.Proceed();
         }
+        neighbors.see(at, pose, known);
         TrafficAdvice advice = decide(known, path);
         talk();
         return advice;
@@ -105,6 +107,7 @@ final class RightOfWay implements TrafficRule {
         now = at;
         mapFromBase = pose;
         Passages known = known();
+        neighbors.see(at, pose, known);
         if (known != null) {
             if (claim != null && !claim.isHeld) {
                 drop();
@@ -161,6 +164,9 @@ final class RightOfWay implements TrafficRule {
                 .filter(crossing -> held.contains(crossing.passage()))
                 .reduce((_, next) -> next);
         last.ifPresent(crossing -> held.leavesBy(path, crossing.to()));
+        if (neighbors.isTooNearToLeader(held)) {
+            return new TrafficAdvice.Halt();
+        }
         boolean leadsOn =
                 ahead.stream().anyMatch(crossing -> crossing.from() < STOP && !held.contains(crossing.passage()));
         return leadsOn && !isInside(held) ? new TrafficAdvice.Halt() : new TrafficAdvice.Proceed();
@@ -175,7 +181,7 @@ final class RightOfWay implements TrafficRule {
             return new TrafficAdvice.Proceed();
         }
         Access access = access(wanted);
-        if (access == Access.FREE && (isSomebodyLeaving(wanted) || !isBehindLeader(wanted))) {
+        if (access == Access.FREE && (neighbors.isSomebodyLeaving(wanted) || !neighbors.isBehindLeader(wanted))) {
             access = Access.TAKEN;
         }
         if (access == Access.FREE) {
@@ -192,43 +198,6 @@ final class RightOfWay implements TrafficRule {
             }
         }
         return left < STOP ? new TrafficAdvice.Halt() : new TrafficAdvice.Proceed();
-    }
-
-    /// Whether somebody that comes out still drives where this robot is to approach the gate.
-    private boolean isSomebodyLeaving(OwnClaim wanted) {
-        Point2d place = mapFromBase.position();
-        double own = place.distanceTo(wanted.entry);
-        Point2d door = wanted.passages().getFirst().nearest(place);
-        for (Mate mate : mates.all()) {
-            Point2d other = mate.report.mapFromBase().position();
-            boolean isBetween = other.distanceTo(wanted.entry) < own + self.radius()
-                    && WaitingChoice.distance(other, place, door) < 2 * self.radius();
-            boolean comesAfter =
-                    mate.report.claim().filter(claimed -> !claimed.isHeld()).isPresent();
-            if (isBetween && !comesAfter && mate.still(now).compareTo(LEFT) < 0) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /// Whether those that a follower goes behind are nearer to the gate, or through it.
-    private boolean isBehindLeader(OwnClaim wanted) {
-        double own = mapFromBase.position().distanceTo(wanted.entry);
-        for (Mate mate : mates.all()) {
-            Claim other = mate.report.claim().orElse(null);
-            if (other != null
-                    && other.isHeld()
-                    && meets(wanted, other.passages())
-                    && isSame(other.entry(), wanted.entry)) {
-                Point2d place = mate.report.mapFromBase().position();
-                boolean isInside = passages != null && passages.index(place.x(), place.y()) >= 0;
-                if (!isInside && place.distanceTo(wanted.entry) > own - self.radius()) {
-                    return false;
-                }
-            }
-        }
-        return true;
     }
 
     /// A robot in a passage has it, whatever was agreed.
@@ -304,17 +273,17 @@ final class RightOfWay implements TrafficRule {
         for (Follower follower : mate.report.followers()) {
             boolean counts = !follower.robot().equals(self.robot())
                     && !mates.isDone(follower.robot(), follower.ticket())
-                    && meets(wanted, follower.passages());
-            if (counts && !(invited && isSame(follower.entry(), wanted.entry))) {
+                    && neighbors.meets(wanted, follower.passages());
+            if (counts && !(invited && Neighbors.isSame(follower.entry(), wanted.entry))) {
                 return true;
             }
         }
         Claim other = mate.report.claim().orElse(null);
-        if (other == null || !meets(wanted, other.passages())) {
+        if (other == null || !neighbors.meets(wanted, other.passages())) {
             return false;
         }
         if (invited) {
-            return other.isHeld() && !isSame(other.entry(), wanted.entry);
+            return other.isHeld() && !Neighbors.isSame(other.entry(), wanted.entry);
         }
         return other.isHeld() || wanted.isAfter(other, mate.robot, self.robot());
     }
@@ -328,35 +297,14 @@ final class RightOfWay implements TrafficRule {
         return Duration.between(from, now).compareTo(ABSENT) > 0;
     }
 
-    /// Whether places are in passages that a claim is for.
-    private boolean meets(OwnClaim own, List<Point2d> places) {
-        Passages known = passages;
-        if (known == null) {
-            return false;
-        }
-        for (Point2d place : places) {
-            int index = known.index(place.x(), place.y());
-            for (Passage passage : own.passages()) {
-                if (passage.index() == index) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
-    private static boolean isSame(Point2d gate, Point2d other) {
-        return gate.distanceTo(other) < SAME_GATE;
-    }
-
     /// Another robot in the same passage that comes from another gate, and was before.
     private Optional<Mate> opposed(OwnClaim held) {
         return mates.all().stream()
                 .filter(mate -> mate.report
                         .claim()
                         .filter(other -> other.isHeld()
-                                && meets(held, other.passages())
-                                && !isSame(other.entry(), held.entry)
+                                && neighbors.meets(held, other.passages())
+                                && !Neighbors.isSame(other.entry(), held.entry)
                                 && held.isAfter(other, mate.robot, self.robot())
                                 && mate.still(now).compareTo(settings.closeAfter) < 0)
                         .isPresent())
@@ -386,13 +334,14 @@ final class RightOfWay implements TrafficRule {
     /// Takes along who comes behind in the same direction.
     private void invite(OwnClaim held) {
         followers.removeIf(follower -> mates.isDone(follower.robot(), follower.ticket()));
+        int most = Math.max(settings.batch, held.robotsPerDirection());
         boolean othersWait = false;
         for (Mate mate : mates.all()) {
             Claim other = mate.report.claim().orElse(null);
             othersWait |= other != null
                     && !other.isHeld()
-                    && meets(held, other.passages())
-                    && !isSame(other.entry(), held.entry);
+                    && neighbors.meets(held, other.passages())
+                    && !Neighbors.isSame(other.entry(), held.entry);
         }
         for (Mate mate : mates.all()) {
             Claim other = mate.report.claim().orElse(null);
@@ -400,12 +349,12 @@ final class RightOfWay implements TrafficRule {
                 continue;
             }
             boolean comes = !other.isHeld()
-                    && meets(held, other.passages())
-                    && isSame(other.entry(), held.entry)
+                    && neighbors.meets(held, other.passages())
+                    && Neighbors.isSame(other.entry(), held.entry)
                     && mate.report.done() < other.ticket()
                     && followers.stream().noneMatch(follower -> follower.robot().equals(mate.robot))
                     && mate.report.mapFromBase().position().distanceTo(held.entry) < settings.claimDistance;
-            if (comes && (!othersWait || followers.size() < settings.batch - 1)) {
+            if (comes && (!othersWait || followers.size() < most - 1)) {
                 followers.add(new Follower(mate.robot, other.ticket(), other.passages(), other.entry()));
                 publish(false);
             }
@@ -461,6 +410,17 @@ final class RightOfWay implements TrafficRule {
                 mates.heardTickets(),
                 done,
                 followers);
+    }
+
+    @Override
+    public boolean isAmongOthers(Instant at, Pose2d pose) {
+        for (Mate mate : mates.all()) {
+            if (Duration.between(mate.heardAt, at).compareTo(ABSENT) <= 0
+                    && mate.report.mapFromBase().distanceTo(pose) < HIDING) {
+                return true;
+            }
+        }
+        return false;
     }
 
     @Override

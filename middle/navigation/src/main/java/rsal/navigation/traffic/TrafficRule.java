@@ -33,4 +33,9 @@ public interface TrafficRule {
 
     /// Places in the map frame through which no path is to lead, as what broke down stands there.
     List<Point2d> closed(Instant now);
+
+    /// Whether robots of the team are so near that they may hide from this one what the map shows.
+    default boolean isAmongOthers(Instant now, Pose2d mapFromBase) {
+        return false;
+    }
 }

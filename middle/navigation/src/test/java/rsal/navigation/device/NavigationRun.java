@@ -62,7 +62,19 @@ final class NavigationRun {
     ///
     /// @param links by the robots' ids
     NavigationRun with(DeviceDriver driver, Map<String, ?> settings, Function<String, TeamLink> links) {
-        robots.replaceAll(robot -> robot.with(driver.create(
+        robots.replaceAll(robot -> with(robot, driver, settings, links));
+        return this;
+    }
+
+    /// Gives some robots a software device that hears those of others.
+    NavigationRun withOnly(
+            List<String> ids, DeviceDriver driver, Map<String, ?> settings, Function<String, TeamLink> links) {
+        robots.replaceAll(robot -> ids.contains(robot.id()) ? with(robot, driver, settings, links) : robot);
+        return this;
+    }
+
+    private Robot with(Robot robot, DeviceDriver driver, Map<String, ?> settings, Function<String, TeamLink> links) {
+        return robot.with(driver.create(
                 new DeviceDriver.Context(
                         driver.key(),
                         robot,
@@ -71,8 +83,7 @@ final class NavigationRun {
                         scheduler,
                         random.split(),
                         links.apply(robot.id())),
-                Arguments.of(driver.parameters(), settings))));
-        return this;
+                Arguments.of(driver.parameters(), settings)));
     }
 
     /// Robots believe in another map than the real one.
@@ -96,6 +107,12 @@ final class NavigationRun {
         Location here = Location.of("test");
         return new RobotModels(FileSource.resources(NavigationRun.class, "/"))
                 .read("pioneer2dx", here, Map.of("laser", new RobotModels.Choice(laser, here)));
+    }
+
+    /// A robot model without chosen parts.
+    static RobotModel model(String name) {
+        return new RobotModels(FileSource.resources(NavigationRun.class, "/"))
+                .read(name, Location.of("test"), Map.of());
     }
 
     Robot robot(String id) {
