@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 
 /// What is due to other participants, gathered by addressee, so that all for one of them goes in one datagram
-/// ([Outbox]).
+/// ([DatagramOutbox]).
 final class DueParts {
     private final Map<Addressee, List<Runnable>> parts = new LinkedHashMap<>();
 

@@ -145,7 +145,7 @@ final class OwnEndpoints {
     /// Does what is due.
     ///
     /// @return when there is next something to do [ns]
-    long tick(Outbox outbox, long now) {
+    long tick(DatagramOutbox outbox, long now) {
         var parts = new DueParts();
         for (SampleReader reader : readers.values()) {
             reader.tick(parts, outbox, now);

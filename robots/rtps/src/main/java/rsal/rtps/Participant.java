@@ -51,7 +51,7 @@ public final class Participant {
     private final Set<InetSocketAddress> here; // where it hears what it sends itself
     private final RtpsLimits limits;
     private final GraphListener graph;
-    private final Outbox outbox;
+    private final DatagramOutbox outbox;
     private final AssemblyBudget budget;
     private final WriterExchange exchange;
     private final Map<BuiltinEndpoint, SampleWriter> tellers = new LinkedHashMap<>();
@@ -94,7 +94,7 @@ public final class Participant {
         this.graph = graph;
         this.now = now;
         own = new OwnEndpoints(graph);
-        outbox = new Outbox(self.prefix(), network, fragmentSize);
+        outbox = new DatagramOutbox(self.prefix(), network, fragmentSize);
         budget = new AssemblyBudget(limits);
         exchange = new WriterExchange(outbox, fragmentSize, limits);
         announceAt = now;

@@ -137,7 +137,7 @@ public final class SampleReader {
     }
 
     /// Gathers what is to be asked for now.
-    void tick(DueParts parts, Outbox outbox, long now) {
+    void tick(DueParts parts, DatagramOutbox outbox, long now) {
         for (WriterProxy writer : writers.values()) {
             writer.forgetOld(now);
             if (writer.hasRequest(now)) {

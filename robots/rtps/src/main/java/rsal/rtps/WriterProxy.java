@@ -349,7 +349,7 @@ final class WriterProxy implements SampleReader.Source {
 
     /// Asks for what is missing, or whether there is anything, if that is due. While the receiver takes
     /// nothing, it asks for nothing, and says only which samples it has taken.
-    void request(Outbox outbox, long now) {
+    void request(DatagramOutbox outbox, long now) {
         if (!hasRequest(now)) {
             return;
         }

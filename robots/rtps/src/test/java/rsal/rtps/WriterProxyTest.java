@@ -87,7 +87,7 @@ class WriterProxyTest {
                 throw new AssertionError("Nothing is announced.");
             }
         };
-        var outbox = new Outbox(new GuidPrefix(2, 2), network, 1_344);
+        var outbox = new DatagramOutbox(new GuidPrefix(2, 2), network, 1_344);
         proxy.request(outbox, now);
         outbox.flush();
         return requests;

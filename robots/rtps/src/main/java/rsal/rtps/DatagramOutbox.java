@@ -11,7 +11,7 @@ import rsal.rtps.wire.Submessage.Heartbeat;
 /// far as that has room: most parts are small, and each datagram costs both sides a system call.
 ///
 /// Who writes a part calls [#flush] soon, or what calls it does.
-final class Outbox {
+final class DatagramOutbox {
     /// What a part without a sample needs at most [B]: the head of a submessage, and a set of 256 numbers.
     private static final int SMALL = 80;
 
@@ -25,7 +25,7 @@ final class Outbox {
 
     /// @param payload most of a sample that one datagram has [B]; one with several parts is not longer than one
     ///     with that and its inline QoS
-    Outbox(GuidPrefix source, Transmitter network, int payload) {
+    DatagramOutbox(GuidPrefix source, Transmitter network, int payload) {
         messages = new MessageWriter(source);
         this.network = network;
         most = Math.min(MessageWriter.MOST, payload + MessageWriter.OVERHEAD + INLINE_QOS);
