@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeMap;
 import rsal.agents.patrol.strategy.PatrolView;
 
@@ -39,7 +40,7 @@ final class PatrolTeam {
         view.setTeam(names.indexOf(self), names.size());
         int places = view.graph().size();
         for (int member = 0; member < names.size(); member++) {
-            Heard last = present.get(names.get(member));
+            Heard last = Objects.requireNonNull(present.get(names.get(member)));
             PatrolReport report = last.report;
             boolean goes = isPlace(report.next(), places);
             double age = Duration.between(last.time, now).toMillis() / 1000.0;
