@@ -124,11 +124,11 @@ public final class SwarmMetric implements MetricType {
             return Double.NaN;
         }
         double sum = 0;
-        for (Pose2d one : poses) {
+        for (int one = 0; one < poses.size(); one++) {
             double least = Double.POSITIVE_INFINITY;
-            for (Pose2d other : poses) {
+            for (int other = 0; other < poses.size(); other++) {
                 if (other != one) {
-                    least = Math.min(least, one.distanceTo(other));
+                    least = Math.min(least, poses.get(one).distanceTo(poses.get(other)));
                 }
             }
             sum += least;

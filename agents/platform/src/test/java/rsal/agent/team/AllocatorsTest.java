@@ -49,7 +49,6 @@ class AllocatorsTest {
     private static final class Auction {
         private final Map<String, Allocator> members = new LinkedHashMap<>();
         private int rounds;
-        private int messages;
 
         Auction(String key, String bid, NavigableMap<String, Estimate> estimates) {
             AllocationType type = type(key);
@@ -70,7 +69,6 @@ class AllocatorsTest {
                 var sent = new ArrayList<Map.Entry<String, Said>>(late);
                 late.clear();
                 members.forEach((name, member) -> sent.add(Map.entry(name, member.said())));
-                messages += members.size();
                 for (Map.Entry<String, Said> message : sent) {
                     for (String name : names) {
                         int apart = Math.abs(names.indexOf(name) - names.indexOf(message.getKey()));
