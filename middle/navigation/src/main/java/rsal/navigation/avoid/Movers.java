@@ -21,6 +21,7 @@ public final class Movers {
     private static final double RANGE = 6; // m
     private static final double GAP = 0.2; // m between points of two bodies
     private static final double LARGEST = 1.0; // m across; what is larger is furniture
+    private static final int LEAST_POINTS = 3; // a single beam may be wrong
     private static final double GATE = 0.4; // m between where one was expected and is seen
     private static final double MEMORY = 0.6; // s for which one is expected that is not seen
     private static final double SLOWEST = 0.25; // m/s; the edges of what stands seem to move, too
@@ -62,7 +63,8 @@ public final class Movers {
     @FunctionalInterface
     public interface KnownPlaces {
         /// @param x map frame [m]
-        boolean contains(double x, double y);
+        /// @param range from the sensor [m]; the farther, the more noise
+        boolean contains(double x, double y, double range);
     }
 
     /// Takes a new scan; the same one again only moves the robot.
@@ -98,7 +100,8 @@ public final class Movers {
             boolean isStrange = isHit
                     && !known.contains(
                             mapFromLaser.x() + range * Math.cos(direction),
-                            mapFromLaser.y() + range * Math.sin(direction));
+                            mapFromLaser.y() + range * Math.sin(direction),
+                            range);
             if (!isStrange) {
                 if (points > 0) {
                     end(odomFromLaser, step);
@@ -127,7 +130,7 @@ public final class Movers {
     /// The beams of one body are read.
     private void end(Pose2d odomFromLaser, double step) {
         double half = Math.hypot(endX - startX, endY - startY) / 2;
-        boolean isBody = points >= 2 && 2 * half <= LARGEST;
+        boolean isBody = points >= LEAST_POINTS && 2 * half <= LARGEST;
         points = 0;
         if (!isBody) {
             return;

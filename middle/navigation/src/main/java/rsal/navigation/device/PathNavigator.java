@@ -46,6 +46,8 @@ final class PathNavigator extends DeviceCore implements Navigator {
     private static final Duration FRESH = Duration.ofMillis(700); // older readings are not driven by
 
     private static final double STRANGE = 0.3; // m from the next wall of the map
+    private static final double RANGE_NOISE =
+            0.06; // m per m; two deviations of a cheap laser, or walls would seem to move
     private static final double STRANGER_ROOM = 0.05; // m, standing
     private static final double STRANGER_ROOM_PER_SPEED = 0.4; // m per m/s; a stranger as fast needs it to stop, too
     private static final Duration STRANGERS_FADE = Duration.ofSeconds(15);
@@ -326,8 +328,8 @@ final class PathNavigator extends DeviceCore implements Navigator {
         }
     }
 
-    private boolean isOnMap(double x, double y) {
-        return parts.toNotFree().at(x, y) <= STRANGE;
+    private boolean isOnMap(double x, double y, double range) {
+        return parts.toNotFree().at(x, y) <= STRANGE + RANGE_NOISE * range;
     }
 
     /// What is not on the map may move, and towards the robot.

@@ -44,7 +44,7 @@ final class RightOfWay implements TrafficRule {
     private final Settings settings;
     private final Mates mates = new Mates();
     private final WaitingChoice places;
-    private final Neighbors neighbors;
+    private final GateNeighbors neighbors;
     private final Set<String> askers = new TreeSet<>();
     private final List<Follower> followers = new ArrayList<>();
     private @Nullable Passages passages;
@@ -76,7 +76,7 @@ final class RightOfWay implements TrafficRule {
         this.settings = settings;
         this.now = self.start();
         this.places = new WaitingChoice(mates, self.robot(), self.radius());
-        this.neighbors = new Neighbors(mates, self);
+        this.neighbors = new GateNeighbors(mates, self);
         self.link().onMessage(TrafficReport.class, this::heard);
     }
 
@@ -274,7 +274,7 @@ final class RightOfWay implements TrafficRule {
             boolean counts = !follower.robot().equals(self.robot())
                     && !mates.isDone(follower.robot(), follower.ticket())
                     && neighbors.meets(wanted, follower.passages());
-            if (counts && !(invited && Neighbors.isSame(follower.entry(), wanted.entry))) {
+            if (counts && !(invited && GateNeighbors.isSame(follower.entry(), wanted.entry))) {
                 return true;
             }
         }
@@ -283,7 +283,7 @@ final class RightOfWay implements TrafficRule {
             return false;
         }
         if (invited) {
-            return other.isHeld() && !Neighbors.isSame(other.entry(), wanted.entry);
+            return other.isHeld() && !GateNeighbors.isSame(other.entry(), wanted.entry);
         }
         return other.isHeld() || wanted.isAfter(other, mate.robot, self.robot());
     }
@@ -304,7 +304,7 @@ final class RightOfWay implements TrafficRule {
                         .claim()
                         .filter(other -> other.isHeld()
                                 && neighbors.meets(held, other.passages())
-                                && !Neighbors.isSame(other.entry(), held.entry)
+                                && !GateNeighbors.isSame(other.entry(), held.entry)
                                 && held.isAfter(other, mate.robot, self.robot())
                                 && mate.still(now).compareTo(settings.closeAfter) < 0)
                         .isPresent())
@@ -341,7 +341,7 @@ final class RightOfWay implements TrafficRule {
             othersWait |= other != null
                     && !other.isHeld()
                     && neighbors.meets(held, other.passages())
-                    && !Neighbors.isSame(other.entry(), held.entry);
+                    && !GateNeighbors.isSame(other.entry(), held.entry);
         }
         for (Mate mate : mates.all()) {
             Claim other = mate.report.claim().orElse(null);
@@ -350,7 +350,7 @@ final class RightOfWay implements TrafficRule {
             }
             boolean comes = !other.isHeld()
                     && neighbors.meets(held, other.passages())
-                    && Neighbors.isSame(other.entry(), held.entry)
+                    && GateNeighbors.isSame(other.entry(), held.entry)
                     && mate.report.done() < other.ticket()
                     && followers.stream().noneMatch(follower -> follower.robot().equals(mate.robot))
                     && mate.report.mapFromBase().position().distanceTo(held.entry) < settings.claimDistance;

@@ -77,13 +77,13 @@ class MoversTest {
     void whatTheMapShowsIsNoMover() {
         for (int i = 0; i < 10; i++) {
             Point2d disc = new Point2d(3, -1 + 1.4 * STEP * i);
-            movers.see(scan(Pose2d.ORIGIN, disc), time(i), Pose2d.ORIGIN, Pose2d.ORIGIN, (_, _) -> true);
+            movers.see(scan(Pose2d.ORIGIN, disc), time(i), Pose2d.ORIGIN, Pose2d.ORIGIN, (_, _, _) -> true);
         }
         assertThat(movers.count()).isZero();
     }
 
     private Pose2d see(int step, Pose2d odomFromBase, Point2d... discs) {
-        movers.see(scan(odomFromBase, discs), time(step), odomFromBase, odomFromBase, (_, _) -> false);
+        movers.see(scan(odomFromBase, discs), time(step), odomFromBase, odomFromBase, (_, _, _) -> false);
         return odomFromBase;
     }
 

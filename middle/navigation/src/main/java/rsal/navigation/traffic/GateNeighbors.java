@@ -12,7 +12,7 @@ import rsal.navigation.traffic.Mates.Mate;
 import rsal.navigation.traffic.TrafficReport.Claim;
 
 /// Where other robots are at the passages of a claim.
-final class Neighbors {
+final class GateNeighbors {
     private static final Duration LEFT = Duration.ofSeconds(2); // without moving; then it stands there
     private static final double SAME_GATE = 1.0; // m between what two robots take for one gate
     private static final double BEHIND = 0.6; // m between a follower and the one before it
@@ -23,7 +23,7 @@ final class Neighbors {
     private Pose2d mapFromBase = Pose2d.ORIGIN;
     private Instant now;
 
-    Neighbors(Mates mates, TrafficType.Participant self) {
+    GateNeighbors(Mates mates, TrafficType.Participant self) {
         this.mates = mates;
         this.self = self;
         this.now = self.start();
