@@ -22,6 +22,12 @@ public interface BridgeProvider {
         return false;
     }
 
+    /// What to try where ports are taken: for people, as sentences.
+    default String portRemedy() {
+        return "Maybe another program is there ('ss -ltnp' shows it). Take other ports by --port P, or any that are free by"
+                + " --port 0.";
+    }
+
     /// Offers what the context holds from now on. Called on the scheduler's thread.
     ///
     /// @param at where to listen: at this port, and those after it if need be; port 0 for any that are free

@@ -31,7 +31,7 @@ final class ColladaMesh {
     private final Map<String, XmlElement> nodes = new HashMap<>(); // by id
     private final Map<String, XmlElement> geometries = new HashMap<>();
     private final Map<String, XmlElement> skins = new HashMap<>(); // by controllers
-    private final Map<XmlElement, double[]> corners = new IdentityHashMap<>(); // of geometries: x, y, z and so on
+    private final IdentityHashMap<XmlElement, double[]> corners = new IdentityHashMap<>(); // of geometries: x, y, z and so on
     private int instances;
     private long shown; // corners
 
@@ -62,7 +62,7 @@ final class ColladaMesh {
 
     /// UTF-8, or UTF-16 where a mark says so.
     private static String text(byte[] file) {
-        int mark = file.length < 2 ? 0 : (file[0] & 0xFF) << 8 | file[1] & 0xFF;
+        int mark = file.length < 2 ? 0 : ((file[0] & 0xFF) << 8) | (file[1] & 0xFF);
         boolean isWide = mark == 0xFEFF || mark == 0xFFFE;
         String text = new String(file, isWide ? StandardCharsets.UTF_16 : StandardCharsets.UTF_8);
         return text.startsWith("\uFEFF") ? text.substring(1) : text;

@@ -141,7 +141,7 @@ final class Sockets implements Transmitter, AutoCloseable {
             if (group.supportedOptions().contains(StandardSocketOptions.SO_REUSEPORT)) {
                 group.setOption(StandardSocketOptions.SO_REUSEPORT, true);
             }
-            group.bind(new InetSocketAddress(everybody.getPort()));
+            bindGroup(group, everybody.getPort());
             for (NetworkInterface network : networks) {
                 joined += isJoined(group, everybody.getAddress(), network) ? 1 : 0;
             }
@@ -151,6 +151,14 @@ final class Sockets implements Transmitter, AutoCloseable {
             }
         }
         return joined > 0 ? Optional.of(group) : Optional.empty();
+    }
+
+    private static void bindGroup(DatagramChannel group, int port) throws IOException {
+        try {
+            group.bind(new InetSocketAddress(port));
+        } catch (BindException e) {
+            throw new BindException("UDP port %d is used by a program that does not share it.".formatted(port));
+        }
     }
 
     private static boolean isJoined(DatagramChannel channel, InetAddress group, NetworkInterface network) {

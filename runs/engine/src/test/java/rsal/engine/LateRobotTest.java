@@ -48,6 +48,18 @@ class LateRobotTest {
     }
 
     @Test
+    void whatNeedsASensorThatARobotLacksIsLeftOut() {
+        String scenario = SCENARIO.replace("host: late", "host: blind").replace("    pose: {free: true}\n", """
+                    pose: {free: true}
+                    devices: {laser: urg04lx, localizer: {type: amcl}}
+                """);
+        LiveRun run = LiveRun.start(plan(scenario));
+        assertThat(Runs.result(run).outcome()).isEqualTo("timeout");
+        assertThat(events(run))
+                .contains("hunter-1: 'localizer' is left out, as the robot has no RangeSensor", "chase-1: has started");
+    }
+
+    @Test
     void theTimeOfARunBeginsWhenItsRobotsAreThere() {
         LiveRun run = LiveRun.start(plan(SCENARIO.replace("host: late", "host: slow")));
         LiveRun same = LiveRun.start(plan(SCENARIO.replace("host: late", "host: at-once")));

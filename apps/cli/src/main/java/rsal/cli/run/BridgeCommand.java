@@ -217,6 +217,7 @@ public final class BridgeCommand extends Subcommand {
             err().println("This run goes in real time, so it does not wait for programs.");
         }
         printAnswer(
+                provider,
                 at,
                 run.operator()
                         .bridge(provider, at, timeout.limit(), paced)
@@ -292,7 +293,7 @@ public final class BridgeCommand extends Subcommand {
         }
     }
 
-    private void printAnswer(InetSocketAddress at, Answer answer) {
+    private void printAnswer(BridgeProvider provider, InetSocketAddress at, Answer answer) {
         switch (answer) {
             case Answer.Bridged(List<ExportedDevice> offers) -> {
                 if (json) {
@@ -309,9 +310,7 @@ public final class BridgeCommand extends Subcommand {
                 out().flush();
             }
             case Answer.Refused(String why) ->
-                throw new Unreachable(why + System.lineSeparator()
-                        + "    Maybe a Player server or another 'rsal bridge' is there ('ss -ltnp' shows it). Take other ports"
-                        + " by --port P, or any that are free by --port 0.");
+                throw new Unreachable(why + System.lineSeparator() + "    " + provider.portRemedy());
             default -> throw new AssertionError(answer);
         }
     }

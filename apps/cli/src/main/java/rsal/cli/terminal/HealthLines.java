@@ -39,7 +39,9 @@ final class HealthLines {
                 String words = String.format(
                         Locale.ROOT,
                         "%s. Its health has changed %s since %.1f s",
-                        event.text(),
+                        event.text().endsWith(".")
+                                ? event.text().substring(0, event.text().length() - 1)
+                                : event.text(),
                         often,
                         from.toNanos() / 1e9);
                 from = now;

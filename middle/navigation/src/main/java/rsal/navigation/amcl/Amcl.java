@@ -346,8 +346,8 @@ public final class Amcl {
     private boolean challengeIsDue() {
         return lost
                 ? updatesSinceSearch >= searchAfter
-                : misfits.isDoubtful() && updatesSinceSearch >= MOST_UPDATES_BETWEEN_SEARCHES
-                        || isDoubtful() && updatesSinceSearch >= 2 * MOST_UPDATES_BETWEEN_SEARCHES;
+                : (misfits.isDoubtful() && updatesSinceSearch >= MOST_UPDATES_BETWEEN_SEARCHES)
+                        || (isDoubtful() && updatesSinceSearch >= 2 * MOST_UPDATES_BETWEEN_SEARCHES);
     }
 
     private boolean isDoubtful() {

@@ -29,6 +29,7 @@ import rsal.navigation.traffic.TrafficReport.Follower;
 final class RightOfWay implements TrafficRule {
     private static final Duration LISTENING = Duration.ofMillis(500); // before it goes, for who was not heard yet
     private static final Duration ABSENT = Duration.ofSeconds(3); // who does not answer for so long
+    private static final Duration DEAF = Duration.ofSeconds(10); // who is heard, but does not answer for so long
     private static final Duration HELLO = Duration.ofSeconds(2); // while it has heard nobody
     private static final Duration ASKING = Duration.ofMillis(300);
     private static final Duration WAITING = Duration.ofSeconds(1);
@@ -294,7 +295,8 @@ final class RightOfWay implements TrafficRule {
             return true;
         }
         Instant from = mate.heardAt.isAfter(wanted.since) ? mate.heardAt : wanted.since;
-        return Duration.between(from, now).compareTo(ABSENT) > 0;
+        return Duration.between(from, now).compareTo(ABSENT) > 0
+                || Duration.between(wanted.since, now).compareTo(DEAF) > 0;
     }
 
     /// Another robot in the same passage that comes from another gate, and was before.
@@ -429,14 +431,16 @@ final class RightOfWay implements TrafficRule {
         if (known == null) {
             return List.of();
         }
+        Optional<Passage> here = known.at(mapFromBase.position()); // which it must be able to leave
         var cells = new ArrayList<Point2d>();
         for (Mate mate : mates.all()) {
             mate.report
                     .claim()
                     .filter(other -> other.isHeld() && mate.still(at).compareTo(settings.closeAfter) > 0)
                     .ifPresent(other -> other.passages()
-                            .forEach(place ->
-                                    known.at(place).ifPresent(passage -> cells.addAll(passage.mapFromCells()))));
+                            .forEach(place -> known.at(place)
+                                    .filter(passage -> !here.equals(Optional.of(passage)))
+                                    .ifPresent(passage -> cells.addAll(passage.mapFromCells()))));
         }
         return cells;
     }

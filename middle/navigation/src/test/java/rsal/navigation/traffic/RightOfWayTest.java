@@ -134,6 +134,24 @@ class RightOfWayTest {
         assertThat(other.isInside()).isFalse();
         assertThat(other.rule.closed(broken.plusSeconds(30))).isEmpty();
         assertThat(other.rule.closed(broken.plusSeconds(65))).isNotEmpty();
+        other.rule.stands(broken.plusSeconds(66), new Pose2d(MIDDLE.x(), MIDDLE.y(), 0));
+        assertThat(other.rule.closed(broken.plusSeconds(66)))
+                .as("it must be able to leave where it is")
+                .isEmpty();
+    }
+
+    @Test
+    void aRobotThatIsHeardButHearsNobodyKeepsNobodyOut() {
+        var radio = new LossyLinks(1, 0);
+        var one = new Driver(radio, "r1", 1.8, true);
+        var deaf = new Driver(radio, "r2", 1.2, false);
+        radio.silence("r2");
+        for (int step = 0; step < 600; step++) {
+            Instant now = Instant.EPOCH.plusMillis(100L * step);
+            one.step(now);
+            deaf.rule.stands(now, new Pose2d(deaf.place.x(), deaf.place.y(), 0));
+        }
+        assertThat(one.crossings).isPositive();
     }
 
     @Test

@@ -32,6 +32,7 @@ final class Ros2Bridge implements Bridge {
     static final String NODE = "rsal";
 
     private static final Duration TICK = Duration.ofMillis(10);
+    private static final Duration LOOK = Duration.ofSeconds(2); // for other programs that publish the same
 
     private final RosLink link;
     private final BridgeContext context;
@@ -43,6 +44,8 @@ final class Ros2Bridge implements Bridge {
     private final CommandTimeout timeout; // by a clock of all robots
     private final CommandClock commandClock;
     private final Task ticking;
+    private final Task looking;
+    private final Rivals rivals = new Rivals();
     private final Executor requests; // are answered there
     private final PublishedHealth health;
     private final Optional<TruthTracker> truth;
@@ -115,6 +118,7 @@ final class Ros2Bridge implements Bridge {
                 context.timeout().nanos(),
                 () -> context.control().ifPresent(control -> control.execute(() -> {})));
         ticking = scheduler.every(TICK, Phase.OBSERVE, this::tick);
+        looking = scheduler.every(LOOK, Phase.OBSERVE, this::lookForRivals);
         requests = context.control().<Executor>map(control -> control).orElse(scheduler);
         new NodeParameters("/" + NODE, NodeParameters.of(context)).serve(link, requests, time);
         health = new PublishedHealth(this::robots, link, time);
@@ -139,6 +143,13 @@ final class Ros2Bridge implements Bridge {
 
     private Collection<Robot> robots() {
         return robots.values().stream().map(Joined::robot).toList();
+    }
+
+    private void lookForRivals() {
+        List<String> own = robots.keySet().stream()
+                .map(robot -> RosNetwork.namespace(robot) + "/odom")
+                .toList();
+        rivals.look(own, link.endpoints());
     }
 
     private void tick() {
@@ -210,6 +221,7 @@ final class Ros2Bridge implements Bridge {
         if (!closed) {
             closed = true;
             ticking.cancel();
+            looking.cancel();
             clock.close();
             health.close();
             simulation.ifPresent(SimulationServer::close);

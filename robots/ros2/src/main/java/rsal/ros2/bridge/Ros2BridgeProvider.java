@@ -31,6 +31,12 @@ public final class Ros2BridgeProvider implements BridgeProvider {
         return DomainPorts.multicast(RosNetwork.environment().domain().orElse(0));
     }
 
+    @Override
+    public String portRemedy() {
+        return "Choose another domain D by the variable ROS_DOMAIN_ID, or by --port with 7400 + 250 · D."
+                + " 'ss -lunp' shows which programs use the ports.";
+    }
+
     /// By `/clock_reached`, or by reliable subscriptions of `/clock`.
     @Override
     public boolean canPace() {

@@ -1,5 +1,7 @@
 package rsal.engine.world;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -30,6 +32,8 @@ import rsal.time.Scheduler;
 /// Gives robots their software devices, and people a way to tell them what to do; journals how all of their devices
 /// are. All calls on the run's thread.
 public final class DeviceFactory implements AutoCloseable {
+    private static final Logger LOG = System.getLogger(DeviceFactory.class.getName());
+
     private final RunPlan plan;
     private final Scheduler scheduler;
     private final EventLog eventLog;
@@ -74,11 +78,31 @@ public final class DeviceFactory implements AutoCloseable {
         }
         Optional<Pose2d> start = planned.spec().mapFromBase();
         for (PlannedDevice device : planned.drivers()) {
-            robot = robot.with(
-                    breaker.breakable(make(device, robot, device.mapFromStart().or(() -> start))));
+            List<String> missing = missing(device, robot);
+            if (missing.isEmpty()) {
+                robot = robot.with(
+                        breaker.breakable(make(device, robot, device.mapFromStart().or(() -> start))));
+            } else {
+                leaveOut(device, robot, missing);
+            }
         }
         team.join(robot, teleoperation(robot, arbiter, planned), new Teammate(planned.spec(), world.body(robot.id())));
         robot.devices().forEach(this::watch);
+    }
+
+    /// Types of devices that it needs and the robot does not have: a real robot may lack what its model has.
+    private static List<String> missing(PlannedDevice device, Robot robot) {
+        return device.driver().needs().stream()
+                .filter(need -> robot.find(need).isEmpty())
+                .map(Class::getSimpleName)
+                .toList();
+    }
+
+    private void leaveOut(PlannedDevice device, Robot robot, List<String> missing) {
+        String what = "'%s' is left out, as the robot has no %s"
+                .formatted(device.name(), String.join(" and no ", missing));
+        eventLog.event("device", robot.id(), what);
+        LOG.log(Level.WARNING, () -> "Robot '%s': %s.".formatted(robot.id(), what));
     }
 
     private Optional<Teleoperation> teleoperation(Robot robot, Optional<CommandArbiter> arbiter, PlannedRobot planned) {

@@ -7,8 +7,11 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
+import rsal.device.Device;
 import rsal.device.DriveBase;
+import rsal.device.RangeSensor;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.robot.Robot;
@@ -67,7 +70,8 @@ public class Reality implements RobotSystemProvider {
 
     /// @param host `away` can't be reached, `empty` has no robots, `silent` is never done with looking for them, `slow`
     /// is after 3 s, `stuck` can't let go of them, `watched` knows where they are, and of `late` the last one joins
-    /// after 3 s, of `late-off` with its motors off; all others are fine
+    /// after 3 s, of `late-off` with its motors off, of `blind` the last one measures no ranges; all others are
+    fine
     private record Robots(FakeSystem fakes, String host, Scheduler scheduler) implements RobotSystem {
         @Override
         public CompletionStage<List<Robot>> discover() {
@@ -77,6 +81,7 @@ public class Reality implements RobotSystemProvider {
                 case "silent" -> new CompletableFuture<>();
                 case "slow" -> slowly();
                 case "late", "late-off" -> fakes.discover().thenApply(this::withoutTheLast);
+                case "blind" -> fakes.discover().thenApply(Robots::withBlindLast);
                 default -> fakes.discover();
             };
         }
@@ -85,6 +90,17 @@ public class Reality implements RobotSystemProvider {
             var found = new CompletableFuture<List<Robot>>();
             scheduler.after(LOOKING, () -> fakes.discover().thenAccept(found::complete));
             return found;
+        }
+
+        private static List<Robot> withBlindLast(List<Robot> all) {
+            Robot last = all.getLast();
+            List<Device> others = last.devices().stream()
+                    .filter(device -> !(device instanceof RangeSensor))
+                    .toList();
+            return Stream.concat(
+                            all.stream().limit(all.size() - 1),
+                            Stream.of(new Robot(last.id(), last.role(), last.model(), last.marker(), others)))
+                    .toList();
         }
 
         private List<Robot> withoutTheLast(List<Robot> all) {
