@@ -97,12 +97,16 @@ class PassagesTest {
         OccupancyGrid map = twoRooms(side);
         var search = new PassageSearch(
                 DrawnMaps.open(map), DistanceField.toNotFree(map), DrawnMaps.BODY, Passages.halfWidth(DrawnMaps.BODY));
-        Passages first = search.find();
-        assertThat(first.all()).hasSize(1);
+        Passages found = search.find();
+        assertThat(found.all()).hasSize(1);
 
-        assertThat(search.closeGatesWithoutRoom(withoutWaitingPlaces(map, first)))
-                .isFalse();
-        assertThat(search.find()).isEqualTo(first);
+        boolean closed = true;
+        for (int round = 0; round < 10 && closed; round++) {
+            closed = search.closeGatesWithoutRoom(withoutWaitingPlaces(map, found));
+            found = search.find();
+            assertThat(found.all()).as("round %d", round).isNotEmpty();
+        }
+        assertThat(closed).isFalse();
     }
 
     private static Passages withoutWaitingPlaces(OccupancyGrid map, Passages passages) {
