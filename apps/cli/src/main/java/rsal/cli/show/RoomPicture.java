@@ -12,6 +12,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.List;
+import java.util.Locale;
 import javax.imageio.ImageIO;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
@@ -20,7 +21,7 @@ import rsal.navigation.rooms.RegionKind;
 import rsal.navigation.rooms.RoomGate;
 import rsal.navigation.rooms.RoomMap;
 
-/// A map whose rooms have colors, neighbors different ones, with corridors in gray, gates as dark lines, and
+/// A map whose rooms have colors, neighbors different ones, with corridors in gray, gates as red lines, and
 /// the number and area of each region.
 final class RoomPicture {
     private static final int LONGEST = 2000; // side [px]
@@ -120,9 +121,9 @@ final class RoomPicture {
     }
 
     private void draw(RoomGate gate, Graphics2D graphics) {
-        double cell = scale;
         graphics.setColor(GATE);
-        graphics.setStroke(new BasicStroke((float) Math.max(2.5, cell), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        graphics.setStroke(
+                new BasicStroke((float) Math.max(2.5, scale), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         graphics.draw(new Line2D.Double(x(gate.from()), y(gate.from()), x(gate.to()), y(gate.to())));
     }
 
@@ -148,7 +149,7 @@ final class RoomPicture {
         graphics.setFont(new Font(Font.SANS_SERIF, Font.BOLD, size));
         center(String.valueOf(region.number()), region.middle(), -size * 0.05, graphics);
         graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, Math.max(7, (int) (size * 0.7))));
-        center("%.0f m²".formatted(region.area()), region.middle(), size * 0.85, graphics);
+        center(String.format(Locale.ROOT, "%.0f m²", region.area()), region.middle(), size * 0.85, graphics);
     }
 
     private void center(String text, Point2d place, double below, Graphics2D graphics) {

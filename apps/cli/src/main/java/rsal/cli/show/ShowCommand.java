@@ -39,6 +39,7 @@ import rsal.settings.Suggestion;
                 + " metric, a robot system or an agent platform.")
 public final class ShowCommand extends Subcommand {
     private static final int PICTURE = 1600; // longest side [px]
+    private static final int MOST_PLACES = 128; // more take too long to compare
 
     @Parameters(
             converter = FileName.class,
@@ -70,6 +71,7 @@ public final class ShowCommand extends Subcommand {
 
     @Override
     protected int run() throws IOException {
+        checkPlaces();
         if (rooms) {
             showRooms();
             return Exit.SUCCESS;
@@ -147,19 +149,36 @@ public final class ShowCommand extends Subcommand {
         }
     }
 
+    private void checkPlaces() {
+        if (places != null && !rooms) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "Places for '%d' robots (--places) are chosen by the rooms of a map. Maybe --rooms is missing."
+                            .formatted(places));
+        }
+        if (places != null && (places < 1 || places > MOST_PLACES)) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "Places can be chosen for 1 to %d robots (--places), not for '%d'. Maybe a smaller team will do."
+                            .formatted(MOST_PLACES, places));
+        }
+    }
+
     private void showRooms() {
         if (!Maps.builtIn().contains(name) && !FileKind.of(name).equals(Optional.of(FileKind.MAP))) {
             throw new ParameterException(
                     spec.commandLine(),
                     "Only maps have rooms: ROS's YAML, or one of %s.".formatted(String.join(", ", Maps.builtIn())));
         }
-        RoomMap found = RoomMap.of(ShownMap.find(name).grid());
+        Maps.Found file = ShownMap.find(name);
+        RoomMap found = RoomMap.of(file.grid());
         Optional<ShownPlaces> chosen = Optional.ofNullable(places).map(number -> places(found, number));
         Path drawn = write(
                 () -> RoomPicture.png(found, chosen.map(ShownPlaces::roomPlaces).orElse(List.of())));
-        var shown = ShownRooms.of(name, found, chosen, drawn.toString());
+        var shown = ShownRooms.of(name, found, chosen, drawn.toString(), file.warnings());
         show(shown, shown.text());
         if (!json) {
+            file.warnings().forEach(warning -> out().println(ShownWorld.line(warning)));
             out().println("\nDrawn to " + drawn);
             out().flush();
         }

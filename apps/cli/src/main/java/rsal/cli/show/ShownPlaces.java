@@ -3,6 +3,7 @@ package rsal.cli.show;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import rsal.cli.terminal.TextTable;
 import rsal.data.Point2d;
@@ -21,7 +22,21 @@ record ShownPlaces(int number, List<Choice> choices) {
 
     /// @param objective one of [PlaceObjective#keys]
     /// @param places in the map frame [m]
-    record Choice(String objective, List<Point2d> places, TeamMeasure measure) {}
+    record Choice(String objective, List<Point2d> places, Measure measure) {}
+
+    /// A [TeamMeasure] whose numbers are all finite.
+    ///
+    /// @param least empty for one place
+    record Measure(int rooms, int inCorridors, Optional<Double> least, double greatest, double mean) {
+        static Measure of(TeamMeasure measure) {
+            return new Measure(
+                    measure.rooms(),
+                    measure.inCorridors(),
+                    Optional.of(measure.least()).filter(Double::isFinite),
+                    measure.greatest(),
+                    measure.mean());
+        }
+    }
 
     /// On the largest part of the map.
     ///
@@ -36,7 +51,7 @@ record ShownPlaces(int number, List<Choice> choices) {
                             .spread(new SplittableRandom(1), _ -> {})
                             .places()
                     : team.choose(number, objective);
-            choices.add(new Choice(objective.key(), places, TeamMeasure.of(ground, rooms, places)));
+            choices.add(new Choice(objective.key(), places, Measure.of(TeamMeasure.of(ground, rooms, places))));
         }
         return new ShownPlaces(number, List.copyOf(choices));
     }
@@ -55,16 +70,16 @@ record ShownPlaces(int number, List<Choice> choices) {
         var table = new TextTable("  ");
         table.row("objective", "rooms", "in corridors", "least apart", "greatest distance", "mean distance");
         for (Choice choice : choices) {
-            TeamMeasure measure = choice.measure;
+            Measure measure = choice.measure;
             table.row(
                     choice.objective,
                     String.valueOf(measure.rooms()),
                     String.valueOf(measure.inCorridors()),
-                    meters(measure.least()),
+                    measure.least().map(ShownPlaces::meters).orElse("-"),
                     meters(measure.greatest()),
                     meters(measure.mean()));
         }
-        return "%nPlaces for %d robots%n%n%s".formatted(number, table);
+        return "%nPlaces for %d robot%s%n%n%s".formatted(number, number == 1 ? "" : "s", table);
     }
 
     private static String meters(double length) {

@@ -3,21 +3,30 @@ package rsal.cli.show;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import rsal.cli.terminal.Mistake;
 import rsal.cli.terminal.TextTable;
 import rsal.navigation.rooms.MapRegion;
 import rsal.navigation.rooms.RegionKind;
 import rsal.navigation.rooms.RoomGate;
 import rsal.navigation.rooms.RoomMap;
+import rsal.settings.Problem;
 
 /// The rooms of a map, for `rsal show --rooms`.
 ///
 /// @param map its name or file
 /// @param places for a team, when they are asked for
 /// @param image where they are drawn
+/// @param warnings of what in the map's files has no effect, or may not mean what their author thinks
 record ShownRooms(
-        String map, List<MapRegion> regions, List<RoomGate> gates, Optional<ShownPlaces> places, String image) {
-    static ShownRooms of(String map, RoomMap rooms, Optional<ShownPlaces> places, String image) {
-        return new ShownRooms(map, rooms.regions(), rooms.gates(), places, image);
+        String map,
+        List<MapRegion> regions,
+        List<RoomGate> gates,
+        Optional<ShownPlaces> places,
+        String image,
+        List<Mistake> warnings) {
+    static ShownRooms of(
+            String map, RoomMap rooms, Optional<ShownPlaces> places, String image, List<Problem> warnings) {
+        return new ShownRooms(map, rooms.regions(), rooms.gates(), places, image, Mistake.of(warnings));
     }
 
     private long count(RegionKind kind) {
@@ -41,10 +50,10 @@ record ShownRooms(
         var table = new TextTable("  ");
         table.row("region", "kind", "area", "middle", "gates to");
         for (MapRegion region : regions) {
-            var ways = new StringBuilder();
+            var to = new StringBuilder();
             for (RoomGate gate : gates) {
                 if (gate.leadsTo(region.number())) {
-                    ways.append(ways.isEmpty() ? "" : ", ")
+                    to.append(to.isEmpty() ? "" : ", ")
                             .append(String.format(
                                     Locale.ROOT, "%d (%.2f m)", gate.across(region.number()), gate.width()));
                 }
@@ -58,7 +67,7 @@ record ShownRooms(
                             "(%.2f, %.2f)",
                             region.middle().x(),
                             region.middle().y()),
-                    ways.toString());
+                    to.toString());
         }
         text.append(table);
         places.ifPresent(shown -> text.append(shown.text()));

@@ -77,4 +77,70 @@ class ShowTest {
         assertThat(rsal.execute("show", file.toString())).isEqualTo(Exit.INVALID);
         assertThat(err.toString()).contains(missing).doesNotContain("scenario");
     }
+
+    private static String refused(String... line) {
+        var err = new StringWriter();
+        var rsal = Main.commandLine(new ByteArrayOutputStream());
+        rsal.setErr(new PrintWriter(err));
+        assertThat(rsal.execute(line)).isEqualTo(Exit.USAGE);
+        return err.toString();
+    }
+
+    /// A hall of 4 m × 3 m.
+    ///
+    /// @param more lines of the map's YAML
+    private static Path hall(Path folder, String more) throws IOException {
+        var rows = new StringBuilder("P2\n40 30\n255\n");
+        for (int row = 0; row < 30; row++) {
+            for (int column = 0; column < 40; column++) {
+                boolean wall = row == 0 || row == 29 || column == 0 || column == 39;
+                rows.append(wall ? "0 " : "254 ");
+            }
+            rows.append('\n');
+        }
+        Files.writeString(folder.resolve("hall.pgm"), rows);
+        return Files.writeString(folder.resolve("hall.yaml"), """
+                image: hall.pgm
+                resolution: 0.1
+                origin: [0, 0, 0]
+                negate: 0
+                occupied_thresh: 0.65
+                free_thresh: 0.196
+                """ + more);
+    }
+
+    @Test
+    void onePlaceIsNotApartFromAnother(@TempDir Path folder) throws IOException {
+        String image = folder.resolve("hall.png").toString();
+        String map = hall(folder, "").toString();
+        assertThat(show("show", map, "--rooms", "--places", "1", "--image", image))
+                .contains("Places for 1 robot\n")
+                .containsPattern("apart +1 +0 +- +[0-9.]+ m")
+                .doesNotContain("Infinity");
+        assertThat(show("show", map, "--rooms", "--places", "1", "--image", image, "--json"))
+                .contains("\"objective\":\"apart\"", "\"greatest\":")
+                .doesNotContain("Infinity", "\"least\":\"");
+        assertThat(show("show", map, "--rooms", "--places", "2", "--image", image, "--json"))
+                .containsPattern("\"least\":[0-9.]+");
+    }
+
+    @Test
+    void placesWithoutRoomsAndForTooManyRobotsAreRefused() {
+        assertThat(refused("show", "office", "--places", "5")).contains("'5'", "--rooms");
+        assertThat(refused("show", "office", "--rooms", "--places", "200"))
+                .contains("'200'", "1 to 128")
+                .doesNotContain("evenly");
+        assertThat(refused("show", "office", "--rooms", "--places", "0")).contains("'0'");
+    }
+
+    @Test
+    void roomsOfAMapComeWithTheWarningsOfItsFile(@TempDir Path folder) throws IOException {
+        String map = hall(folder, "colour: blue\n").toString();
+        String image = folder.resolve("hall.png").toString();
+        assertThat(show("show", map, "--image", image)).contains("colour");
+        assertThat(show("show", map, "--rooms", "--image", image)).contains("1 room", "colour");
+        assertThat(show("show", map, "--rooms", "--image", image, "--json"))
+                .contains("\"warnings\":[{")
+                .contains("colour");
+    }
 }

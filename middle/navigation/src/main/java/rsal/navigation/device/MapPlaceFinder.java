@@ -1,5 +1,6 @@
 package rsal.navigation.device;
 
+import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletionStage;
 import rsal.data.OccupancyGrid;
@@ -17,31 +18,40 @@ import rsal.time.Scheduler;
 /// Spreads places over the run's map, on the scheduler's threads for what takes long. Each question begins the same
 /// stream of random numbers, so that answers do not depend on what was asked before.
 final class MapPlaceFinder extends DeviceCore implements PlaceFinder {
-    /// What is kept for a team, since all of its robots ask for it: the ground around where it asked first, and what
-    /// is computed of that for each number of places. Other parts of a map are looked at when they are asked for.
+    /// What is kept for a team, since all of its robots ask for it: the ground around where it asked first,
+    /// and what is computed of that for each number of places; for objectives that need no random numbers,
+    /// the answers, too. Other parts of a map are looked at when they are asked for.
     static final class Kept {
         private record Ground(OccupancyGrid map, double clearance) {}
 
         private record Places(ReachableSpace ground, int count) {}
 
+        private record Chosen(ReachableSpace ground, int count, PlaceObjective objective) {}
+
         private final ComputedOnce<Ground, ReachableSpace> grounds = new ComputedOnce<>();
         private final ComputedOnce<Places, Spreader> spreaders = new ComputedOnce<>();
-        private final ComputedOnce<ReachableSpace, TeamPlaces> choices = new ComputedOnce<>();
+        private final ComputedOnce<ReachableSpace, TeamPlaces> teams = new ComputedOnce<>();
+        private final ComputedOnce<Chosen, List<Point2d>> answers = new ComputedOnce<>();
 
-        /// @throws IllegalArgumentException when there is no place with so much clearance
-        private TeamPlaces choices(OccupancyGrid map, double clearance, Point2d start) {
-            ReachableSpace ground =
-                    grounds.of(new Ground(map, clearance), _ -> ReachableSpace.around(map, clearance, start));
-            return ground.contains(start)
-                    ? choices.of(ground, TeamPlaces::new)
-                    : new TeamPlaces(ReachableSpace.around(map, clearance, start));
+        /// @throws IllegalArgumentException when there is no place with so much clearance, or no room for
+        /// so many
+        List<Point2d> chosen(OccupancyGrid map, double clearance, Point2d start, int count, PlaceObjective objective) {
+            ReachableSpace ground = ground(map, clearance, start);
+            return ground.isReachedFrom(start)
+                    ? answers.of(
+                            new Chosen(ground, count, objective),
+                            _ -> teams.of(ground, TeamPlaces::new).choose(count, objective))
+                    : new TeamPlaces(ReachableSpace.around(map, clearance, start)).choose(count, objective);
+        }
+
+        private ReachableSpace ground(OccupancyGrid map, double clearance, Point2d start) {
+            return grounds.of(new Ground(map, clearance), _ -> ReachableSpace.around(map, clearance, start));
         }
 
         /// @throws IllegalArgumentException when there is no room for so many
         private Spreader spreader(OccupancyGrid map, double clearance, Point2d start, int count) {
-            ReachableSpace ground =
-                    grounds.of(new Ground(map, clearance), _ -> ReachableSpace.around(map, clearance, start));
-            return ground.contains(start)
+            ReachableSpace ground = ground(map, clearance, start);
+            return ground.isReachedFrom(start)
                     ? spreaders.of(new Places(ground, count), _ -> new Spreader(ground, count))
                     : new Spreader(ReachableSpace.around(map, clearance, start), count);
         }
@@ -71,7 +81,7 @@ final class MapPlaceFinder extends DeviceCore implements PlaceFinder {
         }
         try {
             if (objective != PlaceObjective.EVENLY) {
-                return new Result.Found(kept.choices(map, clearance, start).choose(count, objective));
+                return new Result.Found(kept.chosen(map, clearance, start, count, objective));
             }
             Spreader spreader = kept.spreader(map, clearance, start, count);
             return new Result.Found(

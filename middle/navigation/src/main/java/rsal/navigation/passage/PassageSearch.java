@@ -218,11 +218,13 @@ final class PassageSearch {
         return new Point2d(x / cells.size(), y / cells.size());
     }
 
-    /// What is wide around gates where nobody can wait becomes part of their passages, so that these grow to the next
-    /// place with room: a chain.
+    /// What is wide around gates where nobody can wait becomes part of their passages, so that these grow
+    /// to the next place with room: a chain. Where robots would have no wide place left, all stays as it
+    /// was: without one there are no passages.
     ///
-    /// @return whether there are any
+    /// @return whether that makes any cell narrow
     boolean closeGatesWithoutRoom(Passages found) {
+        boolean[] before = wide.clone();
         boolean closed = false;
         for (Passage passage : found.all()) {
             for (Gate gate : passage.gates()) {
@@ -234,8 +236,32 @@ final class PassageSearch {
         }
         if (closed) {
             dropSmall();
+            keepLast(before);
         }
-        return closed;
+        return !Arrays.equals(before, wide);
+    }
+
+    /// In each connected part of where robots can be that has no wide cell left, makes those wide that were
+    /// before.
+    private void keepLast(boolean[] before) {
+        var open = new boolean[wide.length];
+        for (int cell = 0; cell < open.length; cell++) {
+            open[cell] = this.open.isOpen(cell);
+        }
+        var label = new int[wide.length];
+        Arrays.fill(label, -1);
+        for (int start = 0; start < open.length; start++) {
+            if (open[start] && label[start] < 0) {
+                IntList part = part(start, open, label, start);
+                boolean isLost = true;
+                for (int i = 0; i < part.size() && isLost; i++) {
+                    isLost = !wide[part.get(i)];
+                }
+                for (int i = 0; i < part.size() && isLost; i++) {
+                    wide[part.get(i)] = before[part.get(i)];
+                }
+            }
+        }
     }
 
     private void close(Point2d around) {

@@ -18,6 +18,10 @@ import rsal.navigation.wavefront.CostMap;
 /// fronts, of cells deeper than corners of rooms are, and of the paths from these to the wide cells, which are its
 /// gates.
 /// The fronts are the points of the medial axis at which clearance is least (Thrun 1998, "critical points").
+///
+/// Limit: a connected part of the map without a wide place that a robot fits into has no passages. With a
+/// body of 0.32 m, such are flats whose rooms are all below 2.2 m across, and floors that consist of
+/// corridors only.
 public final class Passages {
     private static final double ROOM = 0.1; // m between two robots that pass, and to walls
     private static final int MOST_ROUNDS = 3; // of widening passages whose gates nobody can wait at

@@ -56,7 +56,7 @@ final class RegionGraph {
         }
     }
 
-    /// The smallest first, each into the neighbor with the widest way there.
+    /// The smallest first, each into the neighbor with the widest gate to it.
     private void joinSmall() {
         var queue =
                 new PriorityQueue<Small>(Comparator.comparingDouble(Small::area).thenComparingInt(Small::basin));

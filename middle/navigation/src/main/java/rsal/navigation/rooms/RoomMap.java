@@ -7,8 +7,9 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.navigation.grid.DistanceField;
 
-/// A map's rooms, corridors and closets, and the gates between. Each free cell is in one region, but for holes
-/// of less than 1 m² that nothing leads to. Depends on nothing but the map and the parameters. Immutable.
+/// A map's rooms, corridors and closets, and the gates between. Each free cell is in one region, except in
+/// holes of less than 1 m² that nothing leads to. Depends on nothing but the map and the parameters.
+/// Immutable.
 public final class RoomMap {
     /// Of cells that are in no region: not free, or in a hole.
     public static final int NONE = -1;
@@ -78,11 +79,11 @@ public final class RoomMap {
         var regions = new ArrayList<MapRegion>();
         for (int region = 0; region < count; region++) {
             int number = region;
-            List<RoomGate> ways = division.gates().stream()
+            List<RoomGate> gatesOut = division.gates().stream()
                     .filter(gate -> gate.leadsTo(number))
                     .toList();
             double mean = sums[region] / all[region];
-            RegionKind kind = isCorridor(region, all[region] * side * side, mean, widest[region], ways, parameters)
+            RegionKind kind = isCorridor(region, all[region] * side * side, mean, widest[region], gatesOut, parameters)
                     ? RegionKind.CORRIDOR
                     : all[region] * side * side < parameters.closetArea() ? RegionKind.CLOSET : RegionKind.ROOM;
             double area = free[region] * side * side;
@@ -98,13 +99,13 @@ public final class RoomMap {
             double area,
             double meanHalfWidth,
             double widest,
-            List<RoomGate> ways,
+            List<RoomGate> gatesOut,
             RoomParameters parameters) {
         double width = 4 * meanHalfWidth;
         double length = area / (width * width); // in widths, along all bends and branches
-        double least = ways.size() >= 3 ? parameters.corridorLength() : 1.5 * parameters.corridorLength();
+        double least = gatesOut.size() >= 3 ? parameters.corridorLength() : 1.5 * parameters.corridorLength();
         long neighbors =
-                ways.stream().map(gate -> gate.across(region)).distinct().count();
+                gatesOut.stream().map(gate -> gate.across(region)).distinct().count();
         return neighbors >= 2
                 && length >= least
                 && width <= parameters.corridorWidth()

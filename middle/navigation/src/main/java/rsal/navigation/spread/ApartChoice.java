@@ -10,10 +10,16 @@ final class ApartChoice {
 
     private final Candidates candidates;
     private final int[] may;
+    private final double[] nearest; // by candidate, of the chosen
+    private final double[] second;
+    private final int[] nearestOf; // index in the chosen
 
     ApartChoice(Candidates candidates, int[] may) {
         this.candidates = candidates;
         this.may = may;
+        this.nearest = new double[candidates.count()];
+        this.second = new double[candidates.count()];
+        this.nearestOf = new int[candidates.count()];
     }
 
     /// @return empty when there is no room
@@ -50,18 +56,37 @@ final class ApartChoice {
         return nearest;
     }
 
+    /// Which two of the chosen are nearest to each that may be.
+    private void assign(int[] chosen) {
+        for (int candidate : may) {
+            nearest[candidate] = Double.POSITIVE_INFINITY;
+            second[candidate] = Double.POSITIVE_INFINITY;
+            for (int k = 0; k < chosen.length; k++) {
+                double length = candidates.length(candidate, chosen[k]);
+                if (length < nearest[candidate]) {
+                    second[candidate] = nearest[candidate];
+                    nearest[candidate] = length;
+                    nearestOf[candidate] = k;
+                } else {
+                    second[candidate] = Math.min(second[candidate], length);
+                }
+            }
+        }
+    }
+
     private void swap(int[] chosen) {
         double score = score(chosen);
         for (int swaps = 0; swaps < MOST_SWAPS; swaps++) {
             int which = -1;
             int what = -1;
             double most = score + 1e-6;
+            assign(chosen);
             for (int k = 0; k < chosen.length; k++) {
                 int before = chosen[k];
                 for (int candidate : may) {
                     // only what is farther from the others than the least distance can help
-                    if (nearest(candidate, chosen, k) > score * (1 - TIE)
-                            && !candidates.isTooNear(candidate, chosen, k)) {
+                    double toOthers = nearestOf[candidate] == k ? second[candidate] : nearest[candidate];
+                    if (toOthers > score * (1 - TIE) && !candidates.isTooNear(candidate, chosen, k)) {
                         chosen[k] = candidate;
                         double now = score(chosen);
                         if (now > most) {

@@ -17,23 +17,18 @@ final class Candidates {
 
     Candidates(ReachableSpace ground) {
         this.ground = ground;
-        int side = Math.max(1, (int) Math.sqrt((double) ground.cells().length / PatchDistances.MOST));
-        var found = new Patches(ground, side);
-        while (found.count() > PatchDistances.MOST) {
-            side++;
-            found = new Patches(ground, side);
-        }
-        this.patches = found;
-        this.count = found.count();
+        int side = Patches.side(ground.cells().length, PatchDistances.MOST);
+        this.patches = Patches.atMost(ground, new Patches(ground, side), 1, PatchDistances.MOST);
+        this.count = patches.count();
         OccupancyGrid map = ground.map();
-        double unit = side * map.resolution() / Patches.FINENESS; // m
-        this.lengths = PatchDistances.between(found).squares();
+        double unit = patches.side() * map.resolution() / Patches.FINENESS; // m
+        this.lengths = PatchDistances.between(patches).squares();
         for (int pair = 0; pair < lengths.length; pair++) {
             lengths[pair] = (float) (Math.sqrt(lengths[pair]) * unit);
         }
         this.places = new Point2d[count];
         for (int i = 0; i < count; i++) {
-            places[i] = map.middle(found.place(i));
+            places[i] = map.middle(patches.place(i));
         }
     }
 
@@ -84,7 +79,12 @@ final class Candidates {
 
     /// Whether two are nearer to each other than twice the clearance, straight.
     boolean areTooNear(int one, int other) {
-        return places[one].distanceTo(places[other]) < 2 * ground.clearance();
+        Point2d from = places[one];
+        Point2d to = places[other];
+        double least = 2 * ground.clearance();
+        return Math.abs(from.x() - to.x()) < least
+                && Math.abs(from.y() - to.y()) < least
+                && from.distanceTo(to) < least;
     }
 
     /// Whether one is too near to any of some others.

@@ -1,11 +1,10 @@
 package rsal.navigation.spread;
 
-/// The lengths of the ways between all pairs of a few thousand [Patches], and how much each patch counts. Never changes
-/// once it is
-/// computed, so that several [Medoids] may use it.
+/// The lengths of the paths between all pairs of a few thousand [Patches], and how much each patch counts.
+/// Never changes once it is computed, so that several [Medoids] may use it.
 ///
 /// @param weights of each patch [cells]
-/// @param squares of the length of the way, by pair: that from patch i to patch j at i * size + j
+/// @param squares of the length of the path, by pair: that from patch i to patch j at i * size + j
 /// @param beyond more than any of the squares
 record PatchDistances(double[] weights, float[] squares, float beyond) {
     /// Memory and time grow with its square: 16 MB.

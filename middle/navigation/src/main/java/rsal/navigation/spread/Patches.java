@@ -12,6 +12,7 @@ final class Patches {
     /// Lengths of ways are whole numbers of this part of a block's side; its diagonal is one nearly, too.
     static final int FINENESS = 70;
 
+    private final int side; // of a block, in cells
     private final int count;
     private final int[] patchOf;
     private final int[] places;
@@ -27,6 +28,7 @@ final class Patches {
         OccupancyGrid map = ground.map();
         int width = map.width();
         var found = new Found(ground, side);
+        this.side = side;
         this.count = found.count;
         this.patchOf = found.patchOf;
         this.places = Arrays.copyOf(found.places, count);
@@ -53,6 +55,26 @@ final class Patches {
             first[patch + 1] += first[patch];
         }
         this.longest = most;
+    }
+
+    /// Larger and larger ones until there are few enough. Narrow passages make more of them than the area
+    /// lets expect; then each step makes blocks wider by at least one unit, and by an eighth.
+    ///
+    /// @param first the finest
+    /// @param unit what sides of blocks are multiples of, so that blocks consist of whole smaller ones
+    /// [cells]; the side of the first is one, too
+    static Patches atMost(ReachableSpace ground, Patches first, int unit, int most) {
+        Patches patches = first;
+        for (int times = first.side / unit; patches.count > most; ) {
+            times += Math.max(1, times / 8);
+            patches = new Patches(ground, unit * times);
+        }
+        return patches;
+    }
+
+    /// Side of blocks that cut so many cells into about so many pieces [cells].
+    static int side(int cells, int pieces) {
+        return Math.max(1, (int) Math.sqrt((double) cells / pieces));
     }
 
     /// Patches while they are found.
@@ -186,6 +208,11 @@ final class Patches {
         pairs[number] = (long) one << 32 | other;
         pairs[number + 1] = (long) other << 32 | one;
         return number + 2;
+    }
+
+    /// Of a block, in cells.
+    int side() {
+        return side;
     }
 
     /// How many there are.

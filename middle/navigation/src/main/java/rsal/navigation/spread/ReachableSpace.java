@@ -154,6 +154,12 @@ public final class ReachableSpace {
         return parts.of(place) == part;
     }
 
+    /// Whether a robot at a place, which may be up to 1 m off it, starts on it: [#around] the place is the
+    /// same.
+    public boolean isReachedFrom(Point2d start) {
+        return start(parts, start) == part;
+    }
+
     /// Measures how evenly some places are spread over it.
     ///
     /// @throws IllegalArgumentException when one is not on it, or there is none

@@ -10,13 +10,15 @@ import rsal.navigation.rooms.RegionKind;
 import rsal.navigation.rooms.RoomGate;
 import rsal.navigation.rooms.RoomMap;
 
-/// Chooses one place in each of as many rooms as there are robots, so that the two nearest are far apart, and
-/// then nothing is far from all: exactly for up to 40 rooms ([RoomSubset]), otherwise by swaps ([ApartChoice]).
-/// Within a room that is the place with room for two robots from which the path to the nearest gate is longest:
-/// behind the door, out of the way.
+/// Chooses one place in each of as many rooms as there are robots, so that the two nearest are far apart,
+/// and then nothing is far from all. For up to 40 rooms the first aim is reached exactly, the second among
+/// at most 2000 choices that are equally far apart ([RoomSubset]). For more rooms, or where that takes too
+/// many steps, swaps come near to the first aim alone ([ApartChoice]). Within a room that is the place with
+/// room for two robots from which the path to the nearest gate is longest: behind the door, out of the way.
 ///
-/// With more robots than rooms, each room has one, and the others go where most of the floor is for each, by
-/// the method of largest remainders. A corridor counts for at most one robot in 15 m of it.
+/// With more robots than rooms, each room has one. The others go one by one to where most robots are
+/// missing from the share of the floor, so that their number does not depend on the order of the rooms. A
+/// corridor counts for at most one robot in 15 m of it.
 final class RoomChoice {
     private static final int EXACT = 40; // rooms
     private static final double CORRIDOR = 15; // m for each robot in a corridor
@@ -144,15 +146,15 @@ final class RoomChoice {
         return chosen.length == number ? chosen : FarthestFirst.extended(candidates, may, chosen, number);
     }
 
-    /// How many robots each part has: one in each room, the others by largest remainders of area.
+    /// How many robots each part has: one in each room, then one after the other where the share of the
+    /// area exceeds what is there most. This is the method of largest remainders, except that a room never
+    /// has none.
     private int[] seats(int number) {
         var seats = new int[parts.size()];
         double area = parts.stream().mapToDouble(part -> part.region.area()).sum();
         int left = number;
         for (int i = 0; i < seats.length; i++) {
-            Part part = parts.get(i);
-            int fair = (int) (number * part.region.area() / area);
-            seats[i] = Math.min(part.most, part.isRoom() ? Math.max(1, fair) : fair);
+            seats[i] = parts.get(i).isRoom() ? 1 : 0;
             left -= seats[i];
         }
         for (; left > 0; left--) {

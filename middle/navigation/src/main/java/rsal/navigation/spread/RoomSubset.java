@@ -2,11 +2,12 @@ package rsal.navigation.spread;
 
 import java.util.Arrays;
 
-/// Chooses some of at most a few dozen places exactly by branch and bound: the two that are nearest to each
-/// other as far apart as possible, then the place that is farthest from all as near as possible. Tries the
-/// lengths of paths between places in order by bisection, each by a search for so many places of which all
-/// pairs are at least as far apart: a clique, as in E. Erkut, The discrete p-dispersion problem (European
-/// Journal of Operational Research 46, 1990).
+/// Chooses some of at most a few dozen places by branch and bound: the two that are nearest to each other
+/// as far apart as possible, then the place that is farthest from all as near as possible. The first is
+/// exact. The second is the best of the first 2000 choices that are equally far apart, so it is exact where
+/// there are no more. Tries the lengths of paths between places in order by bisection, each by a search for
+/// so many places of which all pairs are at least as far apart: a clique, as in E. Erkut, The discrete
+/// p-dispersion problem (European Journal of Operational Research 46, 1990).
 final class RoomSubset {
     private static final long MOST_STEPS = 2_000_000;
     private static final int MOST_COMPARED = 2_000; // choices that are equally far apart

@@ -62,7 +62,7 @@ public final class Spreader {
         this.ground = ground;
         this.number = number;
         int most = Math.max(PATCHES, Math.multiplyExact(PATCHES_PER_PLACE, Math.min(number, 1 << 24)));
-        int side = side(ground.cells().length, most);
+        int side = Patches.side(ground.cells().length, most);
         var patches = new Patches(ground, side);
         while (patches.count() > 4 * most) { // passages as narrow as cells
             side *= 2;
@@ -95,20 +95,13 @@ public final class Spreader {
     }
 
     private Optional<Coarse> coarse(int fineSide) {
-        int times = side(fine.count(), PatchDistances.MOST);
-        Patches patches = times == 1 ? fine : new Patches(ground, fineSide * times);
-        while (patches.count() > PatchDistances.MOST) {
-            times++;
-            patches = new Patches(ground, fineSide * times); // blocks of whole blocks: no two places get the same
-        }
+        int times = Patches.side(fine.count(), PatchDistances.MOST);
+        Patches first = times == 1 ? fine : new Patches(ground, fineSide * times);
+        // blocks of whole blocks: no two places get the same
+        Patches patches = Patches.atMost(ground, first, fineSide, PatchDistances.MOST);
         return patches.count() >= number
                 ? Optional.of(new Coarse(patches, PatchDistances.between(patches)))
                 : Optional.empty();
-    }
-
-    /// Side of blocks that cut so many cells into about so many pieces.
-    private static int side(int cells, int pieces) {
-        return Math.max(1, (int) Math.sqrt((double) cells / pieces));
     }
 
     /// Spreads the places.

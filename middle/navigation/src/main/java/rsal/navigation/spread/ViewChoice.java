@@ -6,10 +6,12 @@ import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.navigation.grid.DistanceField;
 
-/// Makes the part of the floor great that is in straight sight of some places, up to 30 m away: one after the
-/// other that adds most, at least 63 % of the best (G. Nemhauser, L. Wolsey, M. Fisher, An analysis of
-/// approximations for maximizing submodular set functions, Mathematical Programming 14, 1978), then swaps. At
-/// most 500 places are tried, which are spread evenly over the numbers of all.
+/// Makes the part of the floor great that is in straight sight of some places, up to 30 m away: one after
+/// the other that adds most (G. Nemhauser, L. Wolsey, M. Fisher, An analysis of approximations for
+/// maximizing submodular set functions, Mathematical Programming 14, 1978), then swaps. Departs from them
+/// in that at most 500 places are tried, which are spread evenly over the numbers of all, and that places
+/// keep twice the clearance. So their bound, 63 % of the best, does not hold for all places: only for the
+/// best of those that are tried, where there is so much room that the clearance forbids none.
 final class ViewChoice {
     private static final int MOST_TRIED = 500;
     private static final int MOST_SWAPS = 100;
@@ -45,7 +47,7 @@ final class ViewChoice {
         return all;
     }
 
-    /// @return fewer when there is no room
+    /// @return empty when there is no room for so many
     int[] choose(int number) {
         var numbers = new int[number];
         int count = 0;

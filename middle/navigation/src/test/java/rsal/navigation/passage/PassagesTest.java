@@ -89,6 +89,63 @@ class PassagesTest {
                 .isBetween(1.2, 2.2);
     }
 
+    /// Gates at which nobody can wait are closed, but not the last wide place that robots can be in:
+    /// without it no passage would be left.
+    @ParameterizedTest
+    @ValueSource(ints = {45, 46, 47})
+    void closingGatesKeepsTheLastWidePlace(int side) {
+        OccupancyGrid map = twoRooms(side);
+        var search = new PassageSearch(
+                DrawnMaps.open(map), DistanceField.toNotFree(map), DrawnMaps.BODY, Passages.halfWidth(DrawnMaps.BODY));
+        Passages found = search.find();
+        assertThat(found.all()).hasSize(1);
+
+        boolean closed = true;
+        for (int round = 0; round < 10 && closed; round++) {
+            closed = search.closeGatesWithoutRoom(withoutWaitingPlaces(map, found));
+            found = search.find();
+            assertThat(found.all()).as("round %d", round).isNotEmpty();
+        }
+        assertThat(closed).isFalse();
+    }
+
+    private static Passages withoutWaitingPlaces(OccupancyGrid map, Passages passages) {
+        List<Passage> all = passages.all().stream()
+                .map(passage -> new Passage(
+                        passage.index(),
+                        passage.mapFromMiddle(),
+                        passage.gates().stream()
+                                .map(gate -> new Gate(gate.mapFromGate(), gate.heading(), List.of()))
+                                .toList(),
+                        passage.mapFromCells()))
+                .toList();
+        return Passages.of(map, new int[map.cells().length], all);
+    }
+
+    /// @param side of square rooms with a door of 0.8 m between them, in cells of 5 cm
+    private static OccupancyGrid twoRooms(int side) {
+        int width = 2 * side + 3 * 4;
+        int height = side + 2 * 4;
+        var cells = new byte[width * height];
+        Arrays.fill(cells, OccupancyGrid.OCCUPIED);
+        for (int cell = 0; cell < cells.length; cell++) {
+            int column = cell % width;
+            int row = cell / width;
+            boolean isRoom = row >= 4 && row < 4 + side && column >= 4 && column < width - 4;
+            boolean isWall = column >= 4 + side && column < 8 + side && Math.abs(2 * row + 1 - height) > 16;
+            if (isRoom && !isWall) {
+                cells[cell] = OccupancyGrid.FREE;
+            }
+        }
+        return new OccupancyGrid(width, height, 0.05, 0, 0, cells);
+    }
+
+    /// A robot that has left the door could not stand clear of it: this is the limit.
+    @Test
+    void roomsWithoutAWidePlaceHaveNoPassages() {
+        assertThat(DrawnMaps.passages(twoRooms(40)).all()).isEmpty();
+    }
+
     @Test
     void aBentCorridorIsOnePassage() {
         Passages found = DrawnMaps.passages(BENT);

@@ -79,7 +79,7 @@ public final class RandomFloor {
         }
     }
 
-    /// Draws it, turned about its lower left corner.
+    /// Draws it, rotated about its lower left corner.
     ///
     /// @param resolution side of a cell [m]
     /// @param angle counter-clockwise [rad], 0 to π/2

@@ -177,35 +177,35 @@ class RoomMapTest {
     void rotatedAndMirroredMapsHaveTheSameRooms(String name) {
         OccupancyGrid map = shipped(name);
         RoomMap rooms = RoomMap.of(map);
-        for (int turn = 1; turn < 8; turn++) {
-            OccupancyGrid other = turned(map, turn);
+        for (int rotation = 1; rotation < 8; rotation++) {
+            OccupancyGrid other = rotated(map, rotation);
             RoomMap found = RoomMap.of(other);
             var back = new int[map.cells().length];
             for (int cell = 0; cell < back.length; cell++) {
-                back[cell] = found.regionOf(turned(map, cell, turn));
+                back[cell] = found.regionOf(rotated(map, cell, rotation));
             }
-            assertThat(found.regions()).as("turn %d", turn).hasSameSizeAs(rooms.regions());
+            assertThat(found.regions()).as("rotation %d", rotation).hasSameSizeAs(rooms.regions());
             assertThat(Segmentations.correlation(regions(rooms), back))
-                    .as("turn %d", turn)
+                    .as("rotation %d", rotation)
                     .isGreaterThan(0.995);
         }
     }
 
-    /// @param turn bit 0: mirrored left to right, 1: upside down, 2: along the diagonal
-    private static int turned(OccupancyGrid map, int cell, int turn) {
+    /// @param rotation bit 0: mirrored left to right, 1: upside down, 2: along the diagonal
+    private static int rotated(OccupancyGrid map, int cell, int rotation) {
         int column = cell % map.width();
         int row = cell / map.width();
-        column = (turn & 1) == 0 ? column : map.width() - 1 - column;
-        row = (turn & 2) == 0 ? row : map.height() - 1 - row;
-        return (turn & 4) == 0 ? row * map.width() + column : column * map.height() + row;
+        column = (rotation & 1) == 0 ? column : map.width() - 1 - column;
+        row = (rotation & 2) == 0 ? row : map.height() - 1 - row;
+        return (rotation & 4) == 0 ? row * map.width() + column : column * map.height() + row;
     }
 
-    private static OccupancyGrid turned(OccupancyGrid map, int turn) {
+    private static OccupancyGrid rotated(OccupancyGrid map, int rotation) {
         var cells = new byte[map.cells().length];
         for (int cell = 0; cell < cells.length; cell++) {
-            cells[turned(map, cell, turn)] = map.cells()[cell];
+            cells[rotated(map, cell, rotation)] = map.cells()[cell];
         }
-        boolean isLying = (turn & 4) == 0;
+        boolean isLying = (rotation & 4) == 0;
         return new OccupancyGrid(
                 isLying ? map.width() : map.height(),
                 isLying ? map.height() : map.width(),
@@ -244,6 +244,7 @@ class RoomMapTest {
 
     private static void assertSound(RoomMap rooms, long seed) {
         OccupancyGrid map = rooms.map();
+        assertConnectedWithGatesBetween(map, seed);
         double cell = map.resolution() * map.resolution();
         var counts = new int[rooms.regions().size()];
         for (int i = 0; i < map.cells().length; i++) {
@@ -273,6 +274,105 @@ class RoomMapTest {
         }
     }
 
+    /// On the map without furniture, on which regions are found.
+    private static void assertConnectedWithGatesBetween(OccupancyGrid map, long seed) {
+        RoomParameters parameters = RoomParameters.DEFAULT;
+        var furniture = LooseFurniture.of(map, parameters.furnitureLength());
+        OccupancyGrid bare = furniture.withoutSmall();
+        RoomDivision division = RoomDivision.of(map, bare, parameters);
+        division = RoomDivision.of(map, furniture.without(bare, division.gates()), parameters);
+        int[] regionOf = division.regionOf();
+        for (int region = 0; region < division.count(); region++) {
+            assertThat(parts(map, regionOf, region))
+                    .as("seed %d, region %d", seed, region)
+                    .isEqualTo(1);
+        }
+        for (RoomGate gate : division.gates()) {
+            for (int region : new int[] {gate.one(), gate.other()}) {
+                assertThat(distance(map, regionOf, region, gate.middle()))
+                        .as("seed %d, from %s to region %d", seed, gate, region)
+                        .isLessThanOrEqualTo(2.5 * map.resolution());
+            }
+        }
+    }
+
+    /// How many parts a region has that are connected along sides, by a flood.
+    private static int parts(OccupancyGrid map, int[] regionOf, int region) {
+        var seen = new boolean[regionOf.length];
+        int parts = 0;
+        for (int first = 0; first < seen.length; first++) {
+            if (regionOf[first] == region && !seen[first]) {
+                parts++;
+                var flooded = new ArrayList<Integer>();
+                flooded.add(first);
+                seen[first] = true;
+                for (int next = 0; next < flooded.size(); next++) {
+                    for (int to : beside(map, flooded.get(next))) {
+                        if (to >= 0 && to < seen.length && !seen[to] && regionOf[to] == region) {
+                            seen[to] = true;
+                            flooded.add(to);
+                        }
+                    }
+                }
+            }
+        }
+        return parts;
+    }
+
+    /// From a place to the middle of the nearest cell of a region [m].
+    private static double distance(OccupancyGrid map, int[] regionOf, int region, Point2d place) {
+        double nearest = Double.POSITIVE_INFINITY;
+        for (int cell = 0; cell < regionOf.length; cell++) {
+            if (regionOf[cell] == region) {
+                nearest = Math.min(nearest, map.middle(cell).distanceTo(place));
+            }
+        }
+        return nearest;
+    }
+
+    /// Some of them are off the map.
+    private static int[] beside(OccupancyGrid map, int cell) {
+        int column = cell % map.width();
+        return new int[] {
+            column + 1 < map.width() ? cell + 1 : -1, column > 0 ? cell - 1 : -1, cell + map.width(), cell - map.width()
+        };
+    }
+
+    @Test
+    void aMapThatIsAllFreeIsOneRoom() {
+        var map = new OccupancyGrid(60, 40, 0.1, -1, 2, new byte[60 * 40]);
+        assertThat(map.cells()).containsOnly(OccupancyGrid.FREE);
+        RoomMap rooms = RoomMap.of(map);
+        assertThat(rooms.regions()).singleElement().satisfies(region -> {
+            assertThat(region.kind()).isEqualTo(RegionKind.ROOM);
+            assertThat(region.area()).isCloseTo(24, within(1e-6));
+        });
+        assertThat(rooms.gates()).isEmpty();
+        assertSound(rooms, 0);
+    }
+
+    @Test
+    void aHallAroundAnUnknownPatchIsOneRoom() {
+        OccupancyGrid map = new RandomFloor(10.4, 8.4)
+                .room(0.2, 0.2, 10.2, 8.2)
+                .paint(0.1, 0)
+                .map();
+        for (int cell = 0; cell < map.cells().length; cell++) {
+            Point2d middle = map.middle(cell);
+            if (Math.abs(middle.x() - 5.2) < 1 && Math.abs(middle.y() - 4.2) < 1) {
+                map.cells()[cell] = OccupancyGrid.UNKNOWN;
+            }
+        }
+        RoomMap rooms = RoomMap.of(map);
+        assertThat(rooms.regions()).singleElement().satisfies(region -> {
+            assertThat(region.kind()).isEqualTo(RegionKind.ROOM);
+            assertThat(region.area()).isCloseTo(76, within(1e-6));
+        });
+        assertThat(rooms.gates()).isEmpty();
+        assertThat(rooms.regionAt(new Point2d(5.2, 4.2))).isEmpty();
+        assertSound(rooms, 0);
+    }
+
     private static org.assertj.core.data.Offset<Double> within(double most) {
         return org.assertj.core.data.Offset.offset(most);
     }
@@ -289,14 +389,7 @@ class RoomMapTest {
                 seen[first] = true;
                 for (int next = 0; next < hole.size(); next++) {
                     int at = hole.get(next);
-                    int column = at % map.width();
-                    int[] beside = {
-                        column + 1 < map.width() ? at + 1 : -1,
-                        column > 0 ? at - 1 : -1,
-                        at + map.width(),
-                        at - map.width()
-                    };
-                    for (int to : beside) {
+                    for (int to : beside(map, at)) {
                         if (to >= 0 && to < seen.length && !seen[to] && isHole(rooms, to)) {
                             seen[to] = true;
                             hole.add(to);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.OccupancyGrid;
@@ -49,6 +50,29 @@ class PatchesTest {
             assertThat(flood.owner(patch)).as("seed %d", seed).isZero();
         }
         assertThat(cells).as("seed %d", seed).isEqualTo(ground.cells().length);
+    }
+
+    /// As many passes as are needed for blocks an eighth wider each: of a comb of corridors of one cell,
+    /// which has a patch for each corridor in each block.
+    @Test
+    void areFewEnoughOnAMazeAfterFewSteps() {
+        int width = 800;
+        var cells = new byte[width * 300];
+        for (int cell = 0; cell < cells.length; cell++) {
+            boolean wall = cell % width % 2 == 0 && cell / width > 1;
+            cells[cell] = wall ? OccupancyGrid.OCCUPIED : OccupancyGrid.FREE;
+        }
+        var ground = ReachableSpace.largest(new OccupancyGrid(width, 300, 0.05, 0, 0, cells), 0);
+        var first = new Patches(ground, 3);
+
+        Patches patches = Patches.atMost(ground, first, 3, 500);
+
+        assertThat(first.count()).isGreaterThan(500);
+        assertThat(patches.count()).isLessThanOrEqualTo(500);
+        assertThat(patches.side() % 3).isZero();
+        int narrower = patches.side() / 3 * 8 / 9 - 1;
+        assertThat(new Patches(ground, 3 * narrower).count()).isGreaterThan(500);
+        assertThat(Patches.atMost(ground, patches, 3, 500)).isSameAs(patches);
     }
 
     @ParameterizedTest
