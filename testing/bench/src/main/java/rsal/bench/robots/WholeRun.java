@@ -78,7 +78,8 @@ record WholeRun(double wall, double cpu, double firstLine) {
                     .formatted(subject, process.exitValue(), printed.join().text()));
         }
         checkLength(subject, simulated.toMillis() * 1e-3, result.join());
-        return new WholeRun((end - start) * 1e-9, cpu.toNanos() * 1e-9, (printed.join().began() - start) * 1e-9);
+        return new WholeRun(
+                (end - start) * 1e-9, cpu.toNanos() * 1e-9, (printed.join().began() - start) * 1e-9);
     }
 
     private static <T> CompletableFuture<T> apart(Supplier<T> work) {
