@@ -67,7 +67,7 @@ public final class RobotRadio {
 
     /// That of one of a robot's devices.
     ///
-    /// @param guard of what the device does when it hears something: whoever speaks is not to blame for it
+    /// @param guard of what the device does when it hears something: the speaker is not to blame for it
     public TeamLink link(String robot, UnaryOperator<Runnable> guard) {
         return new TeamLink() {
             @Override
