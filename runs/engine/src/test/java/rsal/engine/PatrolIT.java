@@ -43,6 +43,16 @@ class PatrolIT {
             return guards(event -> event.kind().equals("goal") && event.text().endsWith(": reached"), after, until);
         }
 
+        /// Places where somebody was after some time.
+        Set<String> places(long after) {
+            return events.stream()
+                    .filter(event -> event.time().toSeconds() > after)
+                    .map(RunEvent::text)
+                    .filter(text -> text.startsWith("guard-") && text.contains(" was at "))
+                    .map(text -> text.substring(text.indexOf(" was at ")))
+                    .collect(Collectors.toSet());
+        }
+
         private Set<String> guards(Predicate<RunEvent> happened, long after, long until) {
             return events.stream()
                     .filter(event -> event.text().startsWith("guard-") && happened.test(event))
@@ -95,6 +105,7 @@ class PatrolIT {
     void theOthersDivideThePlacesOfOneThatIsGone(long seed) {
         Watch watch = watch("faulty", seed, 700);
         assertThat(watch.guards(220)).hasSize(3);
+        assertThat(watch.places(260)).hasSize(12);
         assertThat(watch.metric("meanIdleness")).isLessThan(75);
     }
 

@@ -1,8 +1,10 @@
 package rsal.agents.patrol;
 
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import rsal.agents.patrol.strategy.VisitGaps;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -15,7 +17,8 @@ import rsal.metric.SignalType;
 import rsal.settings.Arguments;
 
 /// Places that a team watches, and for how long nobody has really been at each of them: at each instant
-/// (instantaneous idleness), and between two visits, as most articles about patrols report.
+/// (instantaneous idleness), and between two visits, as most articles about patrols report. A robot that stays
+/// at a place and says so again makes no further visit.
 public final class IdlenessMetric implements MetricType {
     static final SignalType IDLE_TIME = SignalType.ofRun(
             "idleness", "s", "time since the last visit of a watched place, once a second for each place");
@@ -56,6 +59,8 @@ public final class IdlenessMetric implements MetricType {
     private static final class WatchedPlaces implements Metric {
         private final RunState run;
         private final Map<Point2d, Double> visited = new LinkedHashMap<>(); // when [s], by place
+        private final Map<String, Set<Point2d>> staying =
+                new LinkedHashMap<>(); // by robot, places visited and not left
         private List<Point2d> places = List.of();
         private VisitGaps gaps = new VisitGaps(0, 0);
         private double next; // s
@@ -72,7 +77,7 @@ public final class IdlenessMetric implements MetricType {
                 case Visited said ->
                     run.robot(said.robot())
                             .flatMap(RobotState::mapFromBase)
-                            .ifPresent(mapFromBase -> visit(said.mapFromPlace(), mapFromBase));
+                            .ifPresent(mapFromBase -> visit(said.robot(), said.mapFromPlace(), mapFromBase));
                 default -> {} // for others
             }
         }
@@ -80,6 +85,7 @@ public final class IdlenessMetric implements MetricType {
         /// These are watched from now on.
         private void watch(List<Point2d> mapFromPlaces) {
             visited.clear();
+            staying.clear();
             mapFromPlaces.forEach(place -> visited.put(place, run.time()));
             places = List.copyOf(visited.keySet());
             gaps = new VisitGaps(places.size(), 0);
@@ -90,13 +96,21 @@ public final class IdlenessMetric implements MetricType {
         /// A robot says that it has been at a place.
         ///
         /// @param mapFromBase where it really is
-        private void visit(Point2d mapFromPlace, Pose2d mapFromBase) {
-            if (mapFromBase.position().distanceTo(mapFromPlace) <= NEAR) {
-                visited.computeIfPresent(mapFromPlace, (place, _) -> {
-                    gaps.visit(places.indexOf(place), run.time() - began);
-                    return run.time();
-                });
+        private void visit(String robot, Point2d mapFromPlace, Pose2d mapFromBase) {
+            if (isNear(mapFromBase, mapFromPlace) && visited.containsKey(mapFromPlace)) {
+                double now = run.time() - began;
+                int place = places.indexOf(mapFromPlace);
+                if (staying.computeIfAbsent(robot, _ -> new HashSet<>()).add(mapFromPlace)) {
+                    gaps.visit(place, now);
+                } else {
+                    gaps.stay(place, now);
+                }
+                visited.put(mapFromPlace, run.time());
             }
+        }
+
+        private static boolean isNear(Pose2d mapFromBase, Point2d mapFromPlace) {
+            return mapFromBase.position().distanceTo(mapFromPlace) <= NEAR;
         }
 
         @Override
@@ -104,8 +118,16 @@ public final class IdlenessMetric implements MetricType {
             double now = run.time();
             if (!visited.isEmpty() && now >= next) {
                 next += PERIOD;
+                staying.forEach(this::leave);
                 visited.values().forEach(last -> run.sample(IDLE_TIME, now - last));
             }
+        }
+
+        /// Forgets the places that a robot is no longer near.
+        private void leave(String robot, Set<Point2d> near) {
+            run.robot(robot)
+                    .flatMap(RobotState::mapFromBase)
+                    .ifPresent(mapFromBase -> near.removeIf(place -> !isNear(mapFromBase, place)));
         }
 
         @Override

@@ -6,9 +6,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionStage;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
@@ -23,10 +22,12 @@ import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
+import rsal.time.Task;
 
 /// Has a robot patrol while it has nothing else to do, once it has heard a [PatrolOrder]. It decides itself, by
 /// what the other robots report: there is no master whose loss would end the patrol. Does not stop at places
-/// where it shall not stay, and counts those that it passes.
+/// where it shall not stay, and counts those that it passes. Leaves places out that can't be reached from the
+/// others. Of different orders it follows the one heard first, for as long as its sender repeats it.
 public final class PatrolMember {
     private static final Duration BEAT = Duration.ofSeconds(1);
     private static final Duration LOOK = Duration.ofMillis(200);
@@ -36,9 +37,11 @@ public final class PatrolMember {
     private static final double AGAIN = 10; // s until a visit of the same place counts again
     private static final double SPEED = 0.5; // m/s, with turns
     private static final double STOP = 2; // s, for a turn to the next place
-    private static final double PATIENCE = 2; // times the expected time of a drive
-    private static final double DELAY = 20; // s more
-    private static final double FAR = 10; // times the longest path: where none leads
+    private static final double MOVED = 0.3; // m, less is no progress
+    private static final double STUCK = 40; // s without progress until it gives up
+    private static final double DETOUR = 3; // times the path's length, at most
+    private static final double DETOUR_MORE = 20; // m
+    private static final Duration FORGET = Duration.ofSeconds(16); // after the last order of a sender: three are lost
 
     private final AgentContext self;
     private final String robot;
@@ -49,6 +52,8 @@ public final class PatrolMember {
     private boolean fit = true;
     private boolean idle = true;
     private @Nullable PatrolOrder order;
+    private String sender = ""; // of the order
+    private Instant ordered = Instant.MIN; // when it was last heard
     private @Nullable Patrolling patrolling;
 
     public PatrolMember(
@@ -65,7 +70,7 @@ public final class PatrolMember {
     }
 
     public void begin() {
-        self.subscribe(PatrolOrder.TOPIC, message -> hear(message.content()));
+        self.subscribe(PatrolOrder.TOPIC, message -> hear(message.sender(), message.content()));
         self.subscribe(
                 PatrolReport.TOPIC,
                 message -> team.note(
@@ -103,98 +108,90 @@ public final class PatrolMember {
         }
     }
 
-    private void hear(PatrolOrder heard) {
-        if (heard.equals(order) || heard.mapFromPlaces().isEmpty()) {
+    private void hear(String from, PatrolOrder heard) {
+        Instant now = self.scheduler().instant();
+        if (heard.equals(order)) {
+            sender = from;
+            ordered = now;
+            return;
+        }
+        boolean isAnother = order != null && !from.equals(sender);
+        if (heard.mapFromPlaces().isEmpty() || isAnother && ordered.plus(FORGET).isAfter(now)) {
             return;
         }
         order = heard;
+        sender = from;
+        ordered = now;
         if (patrolling != null) {
             patrolling.end();
             patrolling = null;
         }
-        lengths(heard.mapFromPlaces())
-                .thenAccept(lengths -> self.scheduler().execute(() -> {
-                    if (heard.equals(order) && patrolling == null) {
-                        patrolling = new Patrolling(heard, lengths);
-                        patrolling.begin();
-                    }
-                }));
+        PathMatrix.of(paths, AgentWords.poses(heard.mapFromPlaces()), self.scheduler())
+                .thenAccept(lengths -> self.scheduler().execute(() -> begin(heard, lengths)));
     }
 
-    /// Of the paths between all places, the same in both directions [m].
-    private CompletionStage<double[]> lengths(List<Point2d> mapFromPlaces) {
-        List<Pose2d> goals = AgentWords.poses(mapFromPlaces);
-        CompletionStage<List<List<Double>>> rows = CompletableFuture.completedStage(List.of());
-        for (Pose2d start : goals) {
-            rows = rows.thenCompose(before -> paths.costs(start, goals).thenApply(row -> {
-                var all = new ArrayList<>(before);
-                all.add(row);
-                return all;
-            }));
+    private void begin(PatrolOrder heard, double[] lengths) {
+        if (!heard.equals(order) || patrolling != null) {
+            return; // another one was heard meanwhile
         }
-        return rows.thenApply(all -> symmetric(all, goals.size()));
-    }
-
-    private static double[] symmetric(List<List<Double>> rows, int size) {
-        var lengths = new double[size * size];
-        double longest = 1;
-        for (int from = 0; from < size; from++) {
-            for (int to = 0; to < size; to++) {
-                double length = (rows.get(from).get(to) + rows.get(to).get(from)) / 2;
-                lengths[from * size + to] = from == to ? 0 : length;
-                longest = Double.isFinite(length) ? Math.max(longest, length) : longest;
-            }
+        double stop = STOP + heard.stayTime().toMillis() / 1000.0;
+        var places = new ReachablePlaces(heard.mapFromPlaces(), PatrolGraph.ofLengths(lengths, SPEED, stop));
+        List<Point2d> others = places.mapFromOthers();
+        if (!others.isEmpty()) {
+            self.print("does not patrol %s: no path leads there from the other places"
+                    .formatted(others.stream()
+                            .map(AgentWords::pose)
+                            .map(AgentWords::place)
+                            .collect(Collectors.joining(", "))));
         }
-        for (int i = 0; i < lengths.length; i++) {
-            lengths[i] = Double.isFinite(lengths[i]) ? lengths[i] : FAR * longest;
-        }
-        return lengths;
+        patrolling = new Patrolling(heard, places);
+        patrolling.begin();
     }
 
     /// What it does about one order.
     private final class Patrolling {
-        private final PatrolOrder places;
+        private final PatrolOrder order;
+        private final ReachablePlaces places;
         private final List<Pose2d> mapFromPlaces;
         private final PatrolStrategy strategy;
         private final PatrolView view;
         private final double[] own; // when the robot itself was last at each place [s]
-        private final double[] known; // when a member was last at each place, as far as is known [s]
+        private final double[] known; // when a member was last at each place [s]; -∞ where nothing is known
+        private final List<Task> tasks = new ArrayList<>();
         private final Instant began = self.scheduler().instant();
         private int last = PatrolView.NONE;
         private int next = PatrolView.NONE;
         private double arrival; // s, about
-        private double giveUpAt; // s, when something must be in the way
-        private int decision; // counts, so that what comes late of an older one changes nothing
+        private @Nullable Drive drive; // to the next place, until it is there
+        private int decision; // counts: late answers to an older decision are ignored
         private double ready = LISTEN.toSeconds(); // s, before which it does not decide
         private boolean deciding;
         private boolean over;
 
-        Patrolling(PatrolOrder order, double[] lengths) {
-            this.places = order;
-            this.mapFromPlaces = AgentWords.poses(order.mapFromPlaces());
+        Patrolling(PatrolOrder order, ReachablePlaces places) {
+            this.order = order;
+            this.places = places;
+            this.mapFromPlaces = AgentWords.poses(places.mapFromReachable());
             this.strategy = order.strategy()
                     .as(PatrolStrategyType.class)
                     .create(order.strategy().arguments());
-            double stop = STOP + order.stayTime().toMillis() / 1000.0;
-            this.view = new PatrolView(PatrolGraph.ofLengths(lengths, SPEED, stop), self.random());
-            this.own = new double[mapFromPlaces.size()];
+            this.view = new PatrolView(places.graph(), self.random());
+            this.own = new double[places.size()];
             Arrays.fill(own, -AGAIN);
-            this.known = new double[mapFromPlaces.size()];
+            this.known = new double[places.size()];
+            Arrays.fill(known, Double.NEGATIVE_INFINITY);
         }
 
         void begin() {
-            var beat = self.scheduler().every(BEAT, this::beat);
-            var look = self.scheduler().every(LOOK, this::look);
-            self.atEnd(() -> {
-                beat.cancel();
-                look.cancel();
-            });
+            tasks.add(self.scheduler().every(BEAT, this::beat));
+            tasks.add(self.scheduler().every(LOOK, this::look));
             report();
         }
 
         void end() {
             pause();
             over = true;
+            tasks.forEach(Task::cancel);
         }
 
         private double now() {
@@ -206,7 +203,7 @@ public final class PatrolMember {
                 return;
             }
             report();
-            if (isFree() && next != PatrolView.NONE && now() > giveUpAt) {
+            if (isFree() && next != PatrolView.NONE && drive != null && drive.isHopeless(mapFromBase.get(), now())) {
                 decision++;
                 giveUp(next);
                 driver.stop();
@@ -218,8 +215,8 @@ public final class PatrolMember {
             return new PatrolReport(
                     robot,
                     isFree(),
-                    last,
-                    next,
+                    places.ordered(last),
+                    places.ordered(next),
                     Math.max(0, next == PatrolView.NONE ? 0 : arrival - now()),
                     Arrays.stream(strategy.note())
                             .limit(PatrolReport.LONGEST_NOTE)
@@ -228,7 +225,7 @@ public final class PatrolMember {
         }
 
         private void report() {
-            if (last == PatrolView.NONE) {
+            if (last == PatrolView.NONE && isFree()) {
                 mapFromBase.get().ifPresent(here -> last = nearest(here));
             }
             self.publish(PatrolReport.TOPIC, own());
@@ -247,11 +244,14 @@ public final class PatrolMember {
         void hear(Visited visited) {
             List<Double> idleness = visited.idleness();
             double now = now();
-            for (int place = 0; idleness.size() == mapFromPlaces.size() && place < idleness.size(); place++) {
-                note(place, now - idleness.get(place));
+            for (int place = 0; idleness.size() == places.orderSize() && place < places.size(); place++) {
+                double idle = idleness.get(places.ordered(place));
+                if (idle != Visited.UNKNOWN) {
+                    note(place, now - idle);
+                }
             }
-            int place = places.mapFromPlaces().indexOf(visited.mapFromPlace());
-            if (place >= 0) {
+            int place = places.placeAt(visited.mapFromPlace());
+            if (place != PatrolView.NONE) {
                 note(place, now);
             }
         }
@@ -262,9 +262,11 @@ public final class PatrolMember {
             view.visit(place, time);
         }
 
+        /// What it does instead may lead it anywhere.
         void pause() {
             decision++;
             deciding = false;
+            last = PatrolView.NONE;
             if (next != PatrolView.NONE) {
                 next = PatrolView.NONE;
                 driver.stop();
@@ -291,32 +293,33 @@ public final class PatrolMember {
                     .thenAccept(costs -> self.scheduler().execute(() -> {
                         if (asked == decision && isFree() && !over) {
                             deciding = false;
-                            choose(costs.stream()
-                                    .mapToDouble(Double::doubleValue)
-                                    .toArray());
+                            choose(
+                                    here,
+                                    costs.stream()
+                                            .mapToDouble(Double::doubleValue)
+                                            .toArray());
                         }
                     }));
         }
 
-        private void choose(double[] lengths) {
+        private void choose(Pose2d here, double[] lengths) {
             double now = now();
             view.set(now, lengths);
             next = PatrolView.NONE;
-            team.show(view, self.name(), own(), self.scheduler().instant(), now);
+            team.show(view, places, self.name(), own(), self.scheduler().instant(), now);
             int chosen = strategy.next(view);
             if (chosen < 0 || chosen >= mapFromPlaces.size()) {
                 throw new IllegalStateException("Strategy '%s' chose place %d of %d places from 0."
-                        .formatted(places.strategy(), chosen, mapFromPlaces.size()));
+                        .formatted(order.strategy(), chosen, mapFromPlaces.size()));
             }
-            if (chosen == last && lengths[chosen] <= PASSED) {
+            if (chosen == last && here.distanceTo(mapFromPlaces.get(chosen)) <= PASSED) {
                 driver.stop(); // it waits here
                 return;
             }
             next = chosen;
             double length = Double.isFinite(lengths[chosen]) ? lengths[chosen] : 0;
             arrival = now + length / SPEED;
-            giveUpAt =
-                    now + PATIENCE * length / SPEED + DELAY + places.stayTime().toMillis() / 1000.0;
+            drive = new Drive(here, now, DETOUR * length + DETOUR_MORE);
             int asked = decision;
             self.state("patrolling, to " + AgentWords.place(mapFromPlaces.get(chosen)));
             driver.goTo(mapFromPlaces.get(chosen), NEAR, result -> {
@@ -329,9 +332,10 @@ public final class PatrolMember {
 
         private void ended(int place, Result result) {
             if (result instanceof Result.Reached) {
+                drive = null;
                 visit(place);
                 int asked = decision;
-                self.scheduler().after(places.stayTime(), () -> {
+                self.scheduler().after(order.stayTime(), () -> {
                     if (asked == decision) {
                         next = PatrolView.NONE;
                         resume();
@@ -364,7 +368,7 @@ public final class PatrolMember {
         }
 
         private void arrive(int place) {
-            boolean stays = places.stayTime().isPositive() && place == next;
+            boolean stays = order.stayTime().isPositive() && place == next;
             if (stays) {
                 return; // when it has stopped there
             }
@@ -380,11 +384,41 @@ public final class PatrolMember {
             last = place;
             own[place] = now;
             note(place, now);
-            List<Double> idleness = IntStream.range(0, own.length)
-                    .mapToObj(each -> Math.max(0, now - known[each]))
+            self.publish(Visited.TOPIC, new Visited(robot, places.mapFromPlace(place), idleness(now)));
+        }
+
+        private List<Double> idleness(double now) {
+            return IntStream.range(0, places.orderSize())
+                    .map(places::place)
+                    .mapToObj(each -> each == PatrolView.NONE || Double.isInfinite(known[each])
+                            ? Visited.UNKNOWN
+                            : Math.max(0, now - known[each]))
                     .toList();
-            self.publish(
-                    Visited.TOPIC, new Visited(robot, places.mapFromPlaces().get(place), idleness));
+        }
+    }
+
+    /// One drive to a place, however slow the robot is.
+    private static final class Drive {
+        private final double longest; // m
+        private Pose2d mapFromLast;
+        private double moved; // s, when it was last seen to move
+        private double driven; // m
+
+        Drive(Pose2d mapFromStart, double now, double longest) {
+            this.mapFromLast = mapFromStart;
+            this.moved = now;
+            this.longest = longest;
+        }
+
+        /// Whether it has stood for long, or has driven around for so long that it can't find the place.
+        boolean isHopeless(Optional<Pose2d> mapFromBase, double now) {
+            double step = mapFromBase.map(mapFromLast::distanceTo).orElse(0.0);
+            if (step >= MOVED) {
+                driven += step;
+                moved = now;
+                mapFromLast = mapFromBase.orElse(mapFromLast);
+            }
+            return now - moved > STUCK || driven > longest;
         }
     }
 }

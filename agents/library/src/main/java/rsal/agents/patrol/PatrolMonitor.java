@@ -27,7 +27,7 @@ import rsal.settings.PluginChoice;
 /// announces the places and the strategy: the robots decide themselves ([PatrolMember]), and go on without it.
 /// When one of them sees an intruder, some go there first, and the others go on.
 final class PatrolMonitor {
-    private static final Duration LOOK = Duration.ofSeconds(5); // for robots that can find places, or have come
+    private static final Duration LOOK = Duration.ofSeconds(5); // for a robot that can find places
 
     private final AgentContext self;
     private final PluginChoice strategy;

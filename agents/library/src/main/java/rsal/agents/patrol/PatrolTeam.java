@@ -2,6 +2,7 @@ package rsal.agents.patrol;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import rsal.agents.patrol.strategy.PatrolView;
@@ -22,10 +23,11 @@ final class PatrolTeam {
 
     /// Lets a view know of all members and their reports.
     ///
+    /// @param places that the view is of; reports have their numbers in the order
     /// @param self name of the agent whose view it is
     /// @param own what it does itself
     /// @param time the same instant in the view's time [s]
-    void show(PatrolView view, String self, PatrolReport own, Instant now, double time) {
+    void show(PatrolView view, ReachablePlaces places, String self, PatrolReport own, Instant now, double time) {
         var present = new TreeMap<String, Heard>();
         heard.forEach((name, last) -> {
             if (last.report.patrols() && last.time.plus(SILENCE).isAfter(now)) {
@@ -33,23 +35,18 @@ final class PatrolTeam {
             }
         });
         present.put(self, new Heard(own, now));
-        view.setTeam(present.headMap(self).size(), present.size());
-        int places = view.graph().size();
+        view.setTeam(present.headMap(self).size(), List.copyOf(present.keySet()));
         int member = 0;
         for (Heard last : present.values()) {
             PatrolReport report = last.report;
-            boolean goes = isPlace(report.next(), places);
+            int next = places.place(report.next());
             double age = Duration.between(last.time, now).toMillis() / 1000.0;
             view.report(
                     member++,
-                    isPlace(report.last(), places) ? report.last() : PatrolView.NONE,
-                    goes ? report.next() : PatrolView.NONE,
-                    goes ? time + Math.max(0, report.remaining() - age) : Double.POSITIVE_INFINITY,
+                    places.place(report.last()),
+                    next,
+                    next != PatrolView.NONE ? time + Math.max(0, report.remaining() - age) : Double.POSITIVE_INFINITY,
                     report.note().stream().mapToInt(Integer::intValue).toArray());
         }
-    }
-
-    private static boolean isPlace(int number, int places) {
-        return number >= 0 && number < places;
     }
 }

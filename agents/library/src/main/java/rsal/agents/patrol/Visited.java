@@ -11,16 +11,21 @@ import rsal.data.Point2d;
 /// @param robot its id
 /// @param mapFromPlace the place, in the map frame [m]
 /// @param idleness times since the last visits of all places, as far as the robot knows, in the order of
-/// [PatrolOrder] [s]; so others learn of visits of which they heard nothing. Empty when it does not know.
+/// [PatrolOrder] [s], and -1 ([#UNKNOWN]) for those of which it knows of no visit; so others learn of visits of
+/// which they heard nothing. Empty when it knows of none.
 public record Visited(String robot, Point2d mapFromPlace, List<Double> idleness) implements MessageContent {
     public static final Topic<Visited> TOPIC = new Topic<>("visited", Visited.class);
+
+    /// Stands for the time since a visit when none is known.
+    public static final double UNKNOWN = -1;
 
     public Visited {
         MessageCheck.given("robot", robot);
         MessageCheck.somewhere("place", mapFromPlace);
         idleness = List.copyOf(idleness);
-        if (!idleness.stream().allMatch(each -> each >= 0 && Double.isFinite(each))) {
-            throw new IllegalArgumentException("Times since visits are at least 0 s, not '%s'.".formatted(idleness));
+        if (!idleness.stream().allMatch(each -> (each >= 0 || each == UNKNOWN) && Double.isFinite(each))) {
+            throw new IllegalArgumentException(
+                    "Times since visits are at least 0 s, or -1 where none is known, not '%s'.".formatted(idleness));
         }
     }
 

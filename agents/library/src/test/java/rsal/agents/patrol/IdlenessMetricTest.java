@@ -60,4 +60,20 @@ class IdlenessMetricTest implements MetricContract {
         steps(2, 4);
         assertThat(idleTimes()).containsExactly(1.0, 2.0, 3.0, 4.0);
     }
+
+    @Test
+    void whoStaysAtAPlaceMakesNoFurtherVisitUntilItHasLeft() {
+        watched.onMessage("guard-1", new Watch(List.of(DOOR)));
+        steps(0, 10);
+        visits(DOOR, new Pose2d(0, 0, 0));
+        steps(10, 20);
+        visits(DOOR, new Pose2d(0.5, 0, 0));
+        assertThat(watched.value("visitGap", List.of())).isEqualTo(10);
+        steps(20, 25);
+        assertThat(idleTimes().getLast()).as("nobody left it alone before 20 s").isEqualTo(5);
+        run.place("guard-1", "guard", new Pose2d(3, 0, 0));
+        steps(25, 40);
+        visits(DOOR, new Pose2d(0, 0, 0));
+        assertThat(watched.value("visitGap", List.of())).isEqualTo((10 + 20) / 2.0);
+    }
 }

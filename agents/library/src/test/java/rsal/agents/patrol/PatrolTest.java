@@ -1,24 +1,33 @@
 package rsal.agents.patrol;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import org.junit.jupiter.api.Test;
 import rsal.agents.FakeBattery;
 import rsal.agents.FakeRobot;
 import rsal.agents.Scene;
 import rsal.agents.patrol.strategy.PatrolStrategyType;
 import rsal.data.BatteryState.Charging;
+import rsal.data.Path2d;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
-import rsal.device.Navigator.Result;
+import rsal.device.DeviceCore;
+import rsal.device.DeviceInfo;
+import rsal.device.Navigator;
 import rsal.device.PlaceFinder;
+import rsal.device.Planner;
 import rsal.settings.Arguments;
+import rsal.settings.Plugin;
 import rsal.settings.PluginChoice;
 
 /// Agents of types `patrol` and `worker` together.
@@ -28,12 +37,37 @@ class PatrolTest {
     private final Map<String, Double> at = new TreeMap<>();
     private final Map<String, FakeBattery> batteries = new TreeMap<>();
 
+    /// No path leads to or from places with y above 5; fails as often as a test wants before that.
+    private static final class Walled extends DeviceCore implements Planner {
+        private int failures;
+
+        Walled(String robot, int failures) {
+            super(new DeviceInfo(robot, "planner", "walled"));
+            this.failures = failures;
+        }
+
+        @Override
+        public CompletionStage<Result> plan(Pose2d mapFromStart, Pose2d mapFromGoal) {
+            boolean isOpen = mapFromStart.y() > 5 == mapFromGoal.y() > 5 && mapFromStart.y() <= 5;
+            if (!isOpen || failures-- > 0) {
+                return CompletableFuture.completedFuture(new Result.NoPath("A wall."));
+            }
+            var path = new Path2d(List.of(mapFromStart.position(), mapFromGoal.position()));
+            return CompletableFuture.completedFuture(new Result.Found(path, path.length(), 0));
+        }
+    }
+
     private FakeRobot guard(String id, double x) {
+        return guard(id, x, Optional.empty());
+    }
+
+    private FakeRobot guard(String id, double x, Optional<Planner> planner) {
         FakeRobot robot = scene.robot(id, "guard");
         var battery = new FakeBattery(id);
         robots.put(id, robot);
         batteries.put(id, battery);
-        var equipped = robot.robot.with(battery).with(robot.places);
+        var able = robot.robot.with(battery).with(robot.places);
+        var equipped = planner.map(able::with).orElse(able);
         scene.start("worker", id, Optional.of(equipped), Map.of("chargers", "50 0; 90 0"));
         robot.isAt(x, 0);
         at.put(id, x);
@@ -86,14 +120,18 @@ class PatrolTest {
         return new PluginChoice(type, Arguments.defaults(type.parameters()));
     }
 
-    /// Drives for some time as the robots' goals are: at 1 m/s, along a line.
+    /// Drives for some time as the robots' goals are, along a line; at 1 m/s when no speed is given.
     private void drive(int seconds, String... ids) {
+        drive(seconds, 1, ids);
+    }
+
+    private void drive(int seconds, double speed, String... ids) {
         for (int tenth = 0; tenth < 10 * seconds; tenth++) {
             for (String id : ids) {
                 FakeRobot robot = robots.get(id);
                 if (!robot.navigator.goals.isEmpty()) {
                     double apart = goal(id) - at.get(id);
-                    at.put(id, at.get(id) + Math.clamp(apart, -0.1, 0.1));
+                    at.put(id, at.get(id) + Math.clamp(apart, -0.1 * speed, 0.1 * speed));
                     robot.isAt(at.get(id), 0);
                 }
             }
@@ -155,18 +193,129 @@ class PatrolTest {
         assertThat(visits("b")).hasSizeGreaterThan(before);
     }
 
+    private static final List<Point2d> THREE = List.of(new Point2d(1, 0), new Point2d(4, 0), new Point2d(8, 0));
+
+    private void order(String sender, List<Point2d> places, String strategy) {
+        scene.hear(sender, PatrolOrder.TOPIC, new PatrolOrder(places, strategy(strategy), Duration.ZERO));
+    }
+
     @Test
     void whatOthersReportOfPlacesCounts() {
         guard("a", 0);
-        List<Point2d> places = List.of(new Point2d(1, 0), new Point2d(4, 0), new Point2d(8, 0));
-        var order = new PatrolOrder(places, strategy("er"), Duration.ZERO);
-        scene.hear("patrol", PatrolOrder.TOPIC, order);
+        order("patrol", THREE, "bids");
+        scene.hear("x", Visited.TOPIC, new Visited("x", THREE.get(1), List.of(Visited.UNKNOWN, 0.0, 300.0)));
+        drive(3, "a");
+        assertThat(goal("a")).as("left alone for long before it came").isEqualTo(8);
+        drive(20, "a");
+        List<Double> last = scene.said("a", Visited.TOPIC).getFirst().idleness();
+        assertThat(last.get(1)).isBetween(2.0, 10.0);
+        assertThat(last.get(2)).as("not visited yet").isBetween(300.0, 310.0);
+    }
+
+    @Test
+    void fresherReportOfAPlaceCounts() {
+        guard("a", 0);
+        order("patrol", THREE, "bids");
+        scene.hear("x", Visited.TOPIC, new Visited("x", THREE.get(1), List.of(200.0, 0.0, 300.0)));
+        scene.hear("x", Visited.TOPIC, new Visited("x", THREE.get(2)));
+        drive(3, "a");
+        assertThat(goal("a")).isEqualTo(4);
+    }
+
+    @Test
+    void oneThatJoinsLateTellsOnlyOfVisitsThatItKnows() {
+        scene.advance(500);
+        guard("a", 0);
+        order("patrol", THREE, "cycle");
+        drive(6, "a");
+        assertThat(scene.said("a", Visited.TOPIC).getFirst().idleness())
+                .containsExactly(0.0, Visited.UNKNOWN, Visited.UNKNOWN);
+    }
+
+    @Test
+    void placesBehindAWallAreLeftOut() {
+        guard("a", 0, Optional.of(new Walled("a", 0)));
+        guard("b", 8, Optional.of(new Walled("b", 0)));
+        var places = List.of(new Point2d(4, 9), THREE.get(0), THREE.get(1), THREE.get(2));
+        order("patrol", places, "balanced");
+        drive(60, "a", "b");
+        assertThat(visits("a")).hasSizeGreaterThan(4);
+        assertThat(visits("b")).hasSizeGreaterThan(4);
+        for (String id : List.of("a", "b")) {
+            assertThat(robots.get(id).navigator.goals).noneMatch(goal -> goal.y() > 5);
+            assertThat(scene.said(id, Visited.TOPIC))
+                    .allMatch(visited -> visited.idleness().getFirst() == Visited.UNKNOWN)
+                    .allMatch(visited -> visited.idleness().get(places.indexOf(visited.mapFromPlace())) == 0);
+        }
+    }
+
+    @Test
+    void plannerThatFailsAtFirstIsAskedAgain() {
+        guard("a", 0, Optional.of(new Walled("a", 9)));
+        order("patrol", THREE, "cycle");
         drive(40, "a");
-        scene.hear("x", Visited.TOPIC, new Visited("x", places.getFirst(), List.of(0.0, 0.0, 300.0)));
-        scene.hear("x", Visited.TOPIC, new Visited("x", places.get(1), List.of(0.0, 0.0)));
-        assertThat(scene.said("a", Visited.TOPIC).getLast().idleness())
-                .hasSize(3)
-                .allMatch(idle -> idle < 60);
+        assertThat(visits("a")).contains(1.0, 4.0, 8.0);
+    }
+
+    @Test
+    void orderOfAnotherCountsOnlyWhenTheFirstSenderIsSilent() {
+        guard("a", 0);
+        var others = List.of(new Point2d(-2, 0), new Point2d(-5, 0));
+        for (int i = 0; i < 8; i++) {
+            order("first", THREE, "cycle");
+            order("second", others, "cycle");
+            drive(5, "a");
+        }
+        assertThat(visits("a")).hasSizeGreaterThan(4).allMatch(x -> x > 0);
+        for (int i = 0; i < 8; i++) {
+            order("second", others, "cycle");
+            drive(5, "a");
+        }
+        assertThat(visits("a").getLast()).isNegative();
+    }
+
+    @Test
+    void slowRobotIsGivenTheTimeThatItNeeds() {
+        guard("a", 0);
+        order("patrol", List.of(new Point2d(60, 0)), "cycle");
+        scene.advance(3);
+        drive(650, 0.1, "a");
+        assertThat(visits("a")).contains(60.0);
+    }
+
+    @Test
+    void oneThatHasChargedBeginsAtThePlaceThatIsNear() {
+        guard("a", 0);
+        order("patrol", List.of(new Point2d(1, 0), new Point2d(4, 0), new Point2d(60, 0)), "cr");
+        drive(6, "a");
+        charge("a", 0.2, Charging.DISCHARGING);
+        drive(60, "a");
+        charge("a", 0.95, Charging.CHARGING);
+        drive(3, "a");
+        assertThat(goal("a")).isEqualTo(60);
+    }
+
+    @Test
+    void orderThatNobodyCanFollowIsRefused() {
+        PluginChoice cycle = strategy("cycle");
+        assertThatThrownBy(() -> new PatrolOrder(Collections.nCopies(1001, THREE.getFirst()), cycle, Duration.ZERO))
+                .hasMessageContaining("'1001'");
+        assertThatThrownBy(() -> new PatrolOrder(THREE, cycle, Duration.ofSeconds(-1)))
+                .hasMessageContaining("'PT-1S'");
+        var type = new Patrol();
+        var other = new Plugin() {
+            @Override
+            public String key() {
+                return type.key();
+            }
+
+            @Override
+            public String description() {
+                return type.description();
+            }
+        };
+        var choice = new PluginChoice(other, Arguments.defaults(List.of()));
+        assertThatThrownBy(() -> new PatrolOrder(THREE, choice, Duration.ZERO)).hasMessageContaining("'patrol'");
     }
 
     @Test
@@ -175,7 +324,7 @@ class PatrolTest {
         patrol(Map.of("places", "1 0; 4 0; 8 0", "strategy", strategy("cycle")));
         scene.advance(3);
         double first = goal("a");
-        robots.get("a").navigator.end(new Result.NoPath("A wall."));
+        robots.get("a").navigator.end(new Navigator.Result.NoPath("A wall."));
         scene.advance(2);
         assertThat(goal("a")).isNotEqualTo(first);
     }
@@ -215,7 +364,7 @@ class PatrolTest {
         scene.advance(60);
         assertThat(scene.state("a")).isEqualTo("charging at (90.0, 0.0)");
         charge("a", 0.95, Charging.CHARGING);
-        robots.get("b").navigator.end(new Result.NoPath("A wall."));
+        robots.get("b").navigator.end(new Navigator.Result.NoPath("A wall."));
         scene.advance(1);
         assertThat(goal("a")).isEqualTo(1);
     }

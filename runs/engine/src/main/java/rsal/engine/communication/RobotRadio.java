@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SplittableRandom;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -22,8 +23,8 @@ import rsal.time.Phase;
 import rsal.time.Scheduler;
 
 /// Carries messages between software devices of robots. The same limits hold as for agents, but a robot's devices have
-/// a channel of their own: what they say takes no bandwidth from its agents, and draws nothing from their chance. All
-/// calls on the run's thread.
+/// a channel of their own: what they say takes no bandwidth from its agents, and draws nothing from their chance, which
+/// has another seed. All calls on the run's thread.
 public final class RobotRadio {
     private final Optional<Radio> radio;
     private final Scheduler scheduler;
@@ -39,21 +40,35 @@ public final class RobotRadio {
             Scheduler scheduler,
             Function<String, Optional<Point2d>> placeOf,
             Predicate<String> isGone) {
-        this.radio = limits.map(some -> new Radio(some, map, UnaryOperator.identity(), placeOf));
+        this.radio = limits.map(some -> new Radio(withOwnSeed(some), map, UnaryOperator.identity(), placeOf));
         this.scheduler = scheduler;
         this.isGone = isGone;
     }
 
-    private record Listener<M extends Record>(Class<M> type, BiConsumer<String, M> heard) {
+    /// Another one than that of the agents' radio, so that the same draws do not decide about both.
+    private static Communication withOwnSeed(Communication limits) {
+        return new Communication(
+                limits.range(),
+                limits.behindWalls(),
+                limits.loss(),
+                limits.delay(),
+                limits.bandwidth(),
+                new SplittableRandom(limits.seed()).split().nextLong());
+    }
+
+    private record Listener<M extends Record>(
+            Class<M> type, BiConsumer<String, M> heard, UnaryOperator<Runnable> guard) {
         void hear(String sender, Record message) {
             if (type.isInstance(message)) {
-                heard.accept(sender, type.cast(message));
+                guard.apply(() -> heard.accept(sender, type.cast(message))).run();
             }
         }
     }
 
-    /// That of a robot.
-    public TeamLink link(String robot) {
+    /// That of one of a robot's devices.
+    ///
+    /// @param guard of what the device does when it hears something: the speaker is not to blame for it
+    public TeamLink link(String robot, UnaryOperator<Runnable> guard) {
         return new TeamLink() {
             @Override
             public void publish(Record message) {
@@ -67,7 +82,7 @@ public final class RobotRadio {
 
             @Override
             public <M extends Record> Subscription onMessage(Class<M> type, BiConsumer<String, M> listener) {
-                var added = new Listener<>(type, listener);
+                var added = new Listener<>(type, listener, guard);
                 listeners.computeIfAbsent(robot, _ -> new ArrayList<>()).add(added);
                 return () -> listeners.getOrDefault(robot, new ArrayList<>()).remove(added);
             }

@@ -102,7 +102,8 @@ public final class GuardedScheduler implements Scheduler {
         return scheduler.compute(work);
     }
 
-    private Runnable guarded(Runnable task) {
+    /// The same task as one of the part: it does nothing when the part has left, and what it throws is the part's.
+    public Runnable guarded(Runnable task) {
         return () -> {
             if (membership.ended) {
                 return;

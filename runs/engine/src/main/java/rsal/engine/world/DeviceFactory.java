@@ -130,7 +130,7 @@ public final class DeviceFactory implements AutoCloseable {
                 mapFromBase,
                 lane,
                 new SplittableRandom(device.seed()),
-                radio.link(robot.id()));
+                radio.link(robot.id(), lane::guarded));
         Device made = lane.making(() -> device.driver().create(context, device.options()));
         lanes.computeIfAbsent(robot.id(), _ -> new ArrayList<>()).add(lane);
         return made;

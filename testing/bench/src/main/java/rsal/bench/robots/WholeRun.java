@@ -9,6 +9,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import rsal.time.AllowedToReadWallClock;
 
@@ -22,7 +25,8 @@ import rsal.time.AllowedToReadWallClock;
 record WholeRun(double wall, double cpu, double firstLine) {
     private static final long LOOK_MILLIS = 5;
     private static final int SUCCESS = 0;
-    private static final int TIME_IS_UP = 1; // before what the scenario wants
+    private static final Pattern SIMULATED = Pattern.compile("([0-9.]+) s simulated");
+    private static final double ROUNDED = 0.1; // s, in what a run prints
 
     /// What it printed, and when it began to [ns].
     private record Printed(String text, long began) {
@@ -41,32 +45,58 @@ record WholeRun(double wall, double cpu, double firstLine) {
     ///
     /// @param subject a scenario, or the file of a world
     /// @param simulated how long it is, of its own time
-    /// @throws IllegalStateException when it could not run
+    /// @throws IllegalStateException when it could not run, or ended before that
     static WholeRun of(String subject, Duration simulated) {
+        Process process;
+        long start = System.nanoTime();
         try {
-            long start = System.nanoTime();
-            Process process = new ProcessBuilder(command(subject, simulated))
-                    .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-                    .start();
-            var printed = CompletableFuture.supplyAsync(
-                    () -> Printed.of(process),
-                    task -> Thread.ofPlatform().daemon().start(task));
-            Duration cpu = Duration.ZERO;
-            while (!process.waitFor(LOOK_MILLIS, TimeUnit.MILLISECONDS)) {
-                cpu = process.info().totalCpuDuration().orElse(cpu);
-            }
-            long end = System.nanoTime();
-            if (process.exitValue() != SUCCESS && process.exitValue() != TIME_IS_UP) {
-                throw new IllegalStateException("A run of '%s' failed with exit code %d: %s"
-                        .formatted(subject, process.exitValue(), printed.join().text()));
-            }
-            return new WholeRun(
-                    (end - start) * 1e-9, cpu.toNanos() * 1e-9, (printed.join().began() - start) * 1e-9);
+            process = new ProcessBuilder(command(subject, simulated)).start();
         } catch (IOException e) {
             throw new UncheckedIOException("A run can't be started.", e);
+        }
+        try {
+            return measured(process, start, subject, simulated);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new IllegalStateException("Measuring was interrupted.", e);
+        } finally {
+            process.destroyForcibly(); // when it still runs
+        }
+    }
+
+    private static WholeRun measured(Process process, long start, String subject, Duration simulated)
+            throws InterruptedException {
+        var printed = apart(() -> Printed.of(process));
+        var result = apart(() -> process.inputReader().lines().collect(Collectors.joining("\n")));
+        Duration cpu = Duration.ZERO;
+        while (!process.waitFor(LOOK_MILLIS, TimeUnit.MILLISECONDS)) {
+            cpu = process.info().totalCpuDuration().orElse(cpu);
+        }
+        long end = System.nanoTime();
+        if (process.exitValue() != SUCCESS) {
+            throw new IllegalStateException("A run of '%s' failed with exit code %d: %s"
+                    .formatted(subject, process.exitValue(), printed.join().text()));
+        }
+        checkLength(subject, simulated.toMillis() * 1e-3, result.join());
+        return new WholeRun(
+                (end - start) * 1e-9, cpu.toNanos() * 1e-9, (printed.join().began() - start) * 1e-9);
+    }
+
+    private static <T> CompletableFuture<T> apart(Supplier<T> work) {
+        return CompletableFuture.supplyAsync(
+                work, task -> Thread.ofPlatform().daemon().start(task));
+    }
+
+    /// A run that reached its goal early would count as a faster one.
+    ///
+    /// @param seconds how long it should have been [s]
+    /// @param result as it printed it
+    static void checkLength(String subject, double seconds, String result) {
+        Matcher simulated = SIMULATED.matcher(result);
+        if (!simulated.find() || Double.parseDouble(simulated.group(1)) < seconds - ROUNDED) {
+            throw new IllegalStateException(
+                    "A run of '%s' did not last for '%s' s: '%s'. Choose a scenario that does not end by itself."
+                            .formatted(subject, seconds, result.strip()));
         }
     }
 

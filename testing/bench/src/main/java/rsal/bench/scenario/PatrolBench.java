@@ -17,7 +17,7 @@ import rsal.scenario.Scenario;
 /// Whole runs of the scenario `patrol`, 20 minutes long: guards with balanced tours beside those with other strategies.
 ///
 /// Names are `patrol.<strategy>.<what>`. What: `mean` and `worst`, for how long a place was left alone on average
-/// and at most, the mean of all runs ([Confidence]); `contacts`, touches in a run. And
+/// and at most, the mean of all runs ([Confidence]); `contacts`, collisions in a run. And
 /// `patrol.balanced.<what>.saved.<strategy>`, how much less that is with balanced tours ([Saving]).
 public final class PatrolBench implements Bench {
     private static final Scenario SCENARIO = Scenario.load("patrol");

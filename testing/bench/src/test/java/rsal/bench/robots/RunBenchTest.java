@@ -24,7 +24,7 @@ class RunBenchTest {
         return new Kind[] {Kind.LASER180, Kind.SONAR16, Kind.IR12};
     }
 
-    /// Else what they cost could not be compared.
+    /// Otherwise their costs could not be compared.
     @ParameterizedTest
     @MethodSource("kinds")
     void itsWorldsHaveTheRobotsOfTheSimulatorsBenchmark(Kind kind, @TempDir Path folder) throws IOException {

@@ -68,10 +68,10 @@ public class Reality implements RobotSystemProvider {
         return new OccupancyGrid(64, 64, 1, -32, -32, cells);
     }
 
-    /// @param host `away` can't be reached, `empty` has no robots, `silent` is never done with looking for them, `slow`
-    /// is after 3 s, `stuck` can't let go of them, `watched` knows where they are, and of `late` the last one joins
-    /// after 3 s, of `late-off` with its motors off, of `blind` the last one measures no ranges; all others are
-    fine
+    /// @param host `away` can't be reached, `empty` has no robots, `silent` is never done with looking for
+    ///     them, `slow` is after 3 s, `stuck` can't let go of them, `watched` knows where they are, and of
+    ///     `late` the last one joins after 3 s, of `late-off` with its motors off, of `blind` the last one
+    ///     measures no ranges; all others are fine
     private record Robots(FakeSystem fakes, String host, Scheduler scheduler) implements RobotSystem {
         @Override
         public CompletionStage<List<Robot>> discover() {

@@ -30,7 +30,9 @@ public final class ConscientiousReactive implements PatrolStrategyType {
                 visited = new double[view.graph().size()];
             }
             visited[view.here()] = view.now();
-            return Choices.best(Choices.around(view), place -> -visited[place]);
+            int chosen = Choices.best(Choices.around(view), place -> -visited[place]);
+            visited[chosen] = view.now(); // others come first when it can't get there
+            return chosen;
         }
     }
 }

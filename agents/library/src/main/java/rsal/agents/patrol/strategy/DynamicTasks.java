@@ -3,12 +3,14 @@ package rsal.agents.patrol.strategy;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import rsal.settings.Arguments;
 
 /// Dynamic task assignment by single-item auctions (DTAP): A. Farinelli et al., "Distributed on-line dynamic
-/// task assignment for multi-robot patrolling" (2017). Each robot reports who has which task since when, so
-/// that each computes all bids itself; the article's robots ask for them.
+/// task assignment for multi-robot patrolling" (2017). Each robot reports who has which task by which award, so
+/// that each computes all bids itself; the article's robots ask for them. A robot bids 0 for the place where it
+/// goes; the article's do so for their next two. Awards of a task are numbered, as robots have no common clock (L.
+/// Lamport, "Time, clocks, and the ordering of events in a distributed system", 1978).
 public final class DynamicTasks implements PatrolStrategyType {
     private static final double HOP = 2; // s per place and neighbor on the path
     private static final int TRIES = 8;
@@ -30,32 +32,37 @@ public final class DynamicTasks implements PatrolStrategyType {
 
     private static final class Auctions implements PatrolStrategy {
         private int members;
+        private int key; // of the members that owners are numbers of
         private int[] owner = {}; // member by place
-        private int[] since = {}; // s, by place
+        private int[] award = {}; // by place, how often it was handed on
 
-        /// The owner of each place, then since when [s].
+        /// Of which members, the owner of each place, then the number of its award.
         @Override
         public int[] note() {
-            return IntStream.concat(Arrays.stream(owner), Arrays.stream(since)).toArray();
+            return Stream.of(new int[] {key}, owner, award)
+                    .flatMapToInt(Arrays::stream)
+                    .toArray();
         }
 
         @Override
         public int next(PatrolView view) {
             int size = view.graph().size();
-            if (members != view.members()) {
+            if (owner.length != size || key != view.team()) {
+                key = view.team();
                 members = view.members();
                 owner = new int[size];
                 Arrays.setAll(owner, place -> place % members);
-                since = new int[size];
+                award = new int[size];
             }
             listen(view, size);
+            int[] hops = view.graph().hops(view.here());
             var refused = new boolean[size];
             for (int i = 0; i < Math.min(TRIES, size - 1); i++) {
                 int wanted = Choices.best(
                         Choices.others(view),
                         place -> (refused[place] ? -1e9 : 0)
                                 + view.idle(place)
-                                - HOP * size * hops(view.graph(), view.here(), place)
+                                - HOP * size * hops[place]
                                 - 1e-3 * view.lengthTo(place));
                 int winner = winner(view, wanted);
                 give(view, wanted, winner);
@@ -67,15 +74,18 @@ public final class DynamicTasks implements PatrolStrategyType {
             return Choices.best(Choices.around(view), view::idle);
         }
 
-        /// Newer awards of others count.
+        /// Newer awards of others count, when they are of the same members; of two with the same number that to the
+        /// lower member.
         private void listen(PatrolView view, int size) {
             for (int member = 0; member < members; member++) {
                 int[] note = view.note(member);
-                for (int place = 0; note.length == 2 * size && place < size; place++) {
-                    boolean isMember = note[place] >= 0 && note[place] < members;
-                    if (isMember && note[size + place] > since[place]) {
-                        owner[place] = note[place];
-                        since[place] = note[size + place];
+                for (int place = 0; note.length == 1 + 2 * size && note[0] == key && place < size; place++) {
+                    int its = note[1 + place];
+                    int number = note[1 + size + place];
+                    boolean isNewer = number > award[place] || number == award[place] && its < owner[place];
+                    if (its >= 0 && its < members && isNewer) {
+                        owner[place] = its;
+                        award[place] = number;
                     }
                 }
             }
@@ -84,7 +94,7 @@ public final class DynamicTasks implements PatrolStrategyType {
         private void give(PatrolView view, int place, int winner) {
             if (owner[place] != winner) {
                 owner[place] = winner;
-                since[place] = (int) Math.ceil(view.now());
+                award[place]++;
             }
         }
 
@@ -141,14 +151,6 @@ public final class DynamicTasks implements PatrolStrategyType {
             return view.intended(place) == 0
                     && view.idle(place) > mean + 2 * Math.sqrt(variance)
                     && Arrays.stream(Choices.around(view)).anyMatch(next -> next == place);
-        }
-
-        private static int hops(PatrolGraph graph, int from, int to) {
-            int hops = 0;
-            for (int here = from; here != to && hops < graph.size(); here = graph.firstStep(here, to)) {
-                hops++;
-            }
-            return hops;
         }
     }
 }

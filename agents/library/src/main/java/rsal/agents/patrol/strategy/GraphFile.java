@@ -2,7 +2,6 @@ package rsal.agents.patrol.strategy;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.regex.Pattern;
 import rsal.data.Point2d;
 
@@ -36,19 +35,21 @@ public record GraphFile(List<Point2d> mapFromPlaces, List<PatrolGraph.Edge> edge
         if (text.isBlank()) {
             throw new IllegalArgumentException("The graph is empty. It begins with the number of places.");
         }
+        var withOffset = new Reader(words);
         try {
-            return new Reader(words).read(true);
-        } catch (IllegalArgumentException withOffset) {
-            Optional<GraphFile> without = withoutOffset(words);
-            return without.orElseThrow(() -> withOffset);
+            return withOffset.read(true);
+        } catch (IllegalArgumentException e) {
+            return withoutOffset(words, withOffset, e);
         }
     }
 
-    private static Optional<GraphFile> withoutOffset(String[] words) {
+    /// When it can't be read in this way either, the error is that of the way that got further.
+    private static GraphFile withoutOffset(String[] words, Reader other, IllegalArgumentException error) {
+        var reader = new Reader(words);
         try {
-            return Optional.of(new Reader(words).read(false));
-        } catch (IllegalArgumentException _) {
-            return Optional.empty(); // what is wrong in the usual format says more
+            return reader.read(false);
+        } catch (IllegalArgumentException e) {
+            throw reader.position > other.position ? e : error;
         }
     }
 

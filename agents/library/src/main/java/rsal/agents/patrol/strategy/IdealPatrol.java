@@ -21,13 +21,16 @@ public final class IdealPatrol {
     private static final class Robot {
         private final PatrolStrategy strategy;
         private final PatrolView view;
+        private final String name;
         private int at;
         private int next;
         private int step; // the next place on the path
         private double arrival; // there
+        private boolean waits; // where it is
         private double silent = Double.POSITIVE_INFINITY; // from then on it is not there
 
-        Robot(PatrolStrategy strategy, PatrolView view, int at) {
+        Robot(String name, PatrolStrategy strategy, PatrolView view, int at) {
+            this.name = name;
             this.strategy = strategy;
             this.view = view;
             this.at = at;
@@ -52,7 +55,11 @@ public final class IdealPatrol {
         this.gaps = new VisitGaps(graph.size(), warmUp);
         var random = new SplittableRandom(seed);
         for (int start : starts) {
-            robots.add(new Robot(this.strategies.get(), new PatrolView(graph, random.split()), start));
+            robots.add(new Robot(
+                    "%05d".formatted(robots.size()),
+                    this.strategies.get(),
+                    new PatrolView(graph, random.split()),
+                    start));
         }
     }
 
@@ -64,6 +71,7 @@ public final class IdealPatrol {
     /// @param warmUp time that does not count [s]
     /// @param time when it ends [s]
     /// @return asked for the values at that time
+    /// @throws IllegalArgumentException when a place can't be reached from the others
     public static VisitGaps run(
             PatrolGraph graph,
             Supplier<PatrolStrategy> strategies,
@@ -72,10 +80,21 @@ public final class IdealPatrol {
             long seed,
             double warmUp,
             double time) {
+        checkConnected(graph);
         var patrol = new IdealPatrol(graph, strategies, starts, seed, warmUp);
         losses.forEach(loss -> patrol.robots.get(loss.robot).silent = loss.time);
         patrol.run(time);
         return patrol.gaps;
+    }
+
+    private static void checkConnected(PatrolGraph graph) {
+        for (int place = 1; place < graph.size(); place++) {
+            if (Double.isInfinite(graph.length(0, place))) {
+                throw new IllegalArgumentException(
+                        "Place '%d' can't be reached from place '0'. Add an edge that leads there, or leave it out."
+                                .formatted(place));
+            }
+        }
     }
 
     private void run(double end) {
@@ -96,13 +115,18 @@ public final class IdealPatrol {
         double now = robot.arrival;
         robot.at = robot.step;
         visited[robot.at] = now;
-        gaps.visit(robot.at, now);
+        if (robot.waits) {
+            gaps.stay(robot.at, now);
+        } else {
+            gaps.visit(robot.at, now);
+        }
         if (robot.at == robot.next) {
             look(robot, now);
             robot.next = robot.strategy.next(robot.view);
         }
         robot.step = graph.firstStep(robot.at, robot.next);
-        double time = robot.next == robot.at
+        robot.waits = robot.next == robot.at;
+        double time = robot.waits
                 ? WAIT
                 : graph.length(robot.at, robot.step) / graph.speed() + (robot.step == robot.next ? graph.stop() : 0);
         robot.arrival = now + Math.max(time, 1e-3);
@@ -114,7 +138,9 @@ public final class IdealPatrol {
                 robots.stream().filter(other -> now < other.silent + SILENCE).toList();
         PatrolView view = robot.view;
         if (view.members() != present.size() || present.get(view.self()) != robot) {
-            view.setTeam(present.indexOf(robot), present.size());
+            view.setTeam(
+                    present.indexOf(robot),
+                    present.stream().map(other -> other.name).toList());
         }
         var lengths = new double[graph.size()];
         Arrays.setAll(lengths, place -> graph.length(robot.at, place));

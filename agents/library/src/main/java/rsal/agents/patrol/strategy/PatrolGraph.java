@@ -1,10 +1,12 @@
 package rsal.agents.patrol.strategy;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.PriorityQueue;
+import java.util.stream.IntStream;
 
 /// Places to visit, the lengths of the shortest paths between them, and which of them are neighbors. Places
 /// have the numbers from 0. Immutable.
@@ -77,7 +79,7 @@ public final class PatrolGraph {
     ///
     /// @param speed of the robots [m/s]
     /// @param stop time that a robot loses at each place [s]
-    /// @throws IllegalArgumentException when there is no place or too many, or an edge is none
+    /// @throws IllegalArgumentException when there is no place or too many, or an edge is invalid
     public static PatrolGraph ofEdges(int size, List<Edge> edges, double speed, double stop) {
         check(size, speed, stop);
         var out = new ArrayList<List<Edge>>();
@@ -186,15 +188,110 @@ public final class PatrolGraph {
         return neighbors[place].clone();
     }
 
-    /// The neighbor of a place that comes first on the shortest path to another; the other itself when none
-    /// lies on it.
+    /// The neighbor of a place that comes first on the shortest path to another; the other itself when it is a
+    /// neighbor and no third place lies exactly on the path.
     public int firstStep(int from, int to) {
         double direct = length(from, to) * (1 + 1e-9);
+        int best = to;
+        double least = Arrays.binarySearch(neighbors[from], to) >= 0 ? direct : Double.POSITIVE_INFINITY;
         for (int next : neighbors[from]) {
-            if (next != to && length(from, next) + length(next, to) <= direct && length(next, to) < length(from, to)) {
-                return next;
+            double over = length(from, next) + length(next, to);
+            if (next != to && length(next, to) < length(from, to) && over <= least) {
+                if (over <= direct) {
+                    return next;
+                }
+                best = over < least ? next : best;
+                least = over;
             }
         }
-        return to;
+        return best;
+    }
+
+    /// For each place, how many edges between neighbors lie on the way with the fewest; as many as there are
+    /// places when none leads there.
+    int[] hops(int from) {
+        var hops = new int[size];
+        Arrays.fill(hops, size);
+        hops[from] = 0;
+        var queue = new int[size];
+        queue[0] = from;
+        int end = 1;
+        for (int i = 0; i < end; i++) {
+            for (int next : neighbors[queue[i]]) {
+                if (hops[next] == size && next != from) {
+                    hops[next] = hops[queue[i]] + 1;
+                    queue[end++] = next;
+                }
+            }
+        }
+        return hops;
+    }
+
+    /// The most places that can be reached from each other, in ascending order; of several such sets, the one
+    /// with the least place.
+    public int[] largestPart() {
+        int[] best = {};
+        var done = new boolean[size];
+        for (int start = 0; start < size; start++) {
+            if (!done[start]) {
+                int[] part = part(start);
+                Arrays.stream(part).forEach(place -> done[place] = true);
+                best = part.length > best.length ? part : best;
+            }
+        }
+        return best;
+    }
+
+    /// Places that a path leads to, perhaps over others.
+    private int[] part(int start) {
+        var reached = new boolean[size];
+        reached[start] = true;
+        var open = new ArrayDeque<Integer>(List.of(start));
+        while (!open.isEmpty()) {
+            int here = open.remove();
+            for (int next = 0; next < size; next++) {
+                if (!reached[next] && Double.isFinite(length(here, next))) {
+                    reached[next] = true;
+                    open.add(next);
+                }
+            }
+        }
+        return IntStream.range(0, size).filter(place -> reached[place]).toArray();
+    }
+
+    /// Some of the places, numbered from 0 in the order given. Where no path is known between two of them, it
+    /// leads over others of them, if it can.
+    public PatrolGraph only(int[] places) {
+        int count = places.length;
+        var some = new double[count * count];
+        boolean open = false;
+        for (int from = 0; from < count; from++) {
+            for (int to = 0; to < count; to++) {
+                some[from * count + to] = length(places[from], places[to]);
+                open |= Double.isInfinite(some[from * count + to]);
+            }
+        }
+        if (open) {
+            close(some, count);
+        }
+        return ofLengths(some, speed, stop);
+    }
+
+    /// Shortest paths where none is known: R. Floyd, "Algorithm 97: Shortest path" (1962).
+    private static void close(double[] lengths, int size) {
+        var unknown = new boolean[lengths.length];
+        for (int i = 0; i < lengths.length; i++) {
+            unknown[i] = Double.isInfinite(lengths[i]);
+        }
+        for (int via = 0; via < size; via++) {
+            for (int from = 0; from < size; from++) {
+                double first = lengths[from * size + via];
+                for (int to = 0; to < size; to++) {
+                    double over = first + lengths[via * size + to];
+                    int pair = from * size + to;
+                    lengths[pair] = unknown[pair] ? Math.min(lengths[pair], over) : lengths[pair];
+                }
+            }
+        }
     }
 }

@@ -11,19 +11,49 @@ public final class PatrolPlan {
     private final List<int[]> tours;
     private final int[] robots; // by tour
     private final int[] tourOf; // by place
+    private final double[] rounds; // s, by tour
 
     /// @param tours each place in one of them; handed over
     /// @param robots how many robots share each tour, at least 1; handed over
     PatrolPlan(PatrolGraph graph, List<int[]> tours, int[] robots) {
+        this(
+                graph,
+                tours,
+                robots,
+                tours.stream().mapToDouble(tour -> Tours.time(graph, tour)).toArray());
+    }
+
+    private PatrolPlan(PatrolGraph graph, List<int[]> tours, int[] robots, double[] rounds) {
         this.graph = graph;
         this.tours = List.copyOf(tours);
         this.robots = robots;
+        this.rounds = rounds;
         this.tourOf = new int[graph.size()];
         for (int tour = 0; tour < tours.size(); tour++) {
             for (int place : tours.get(tour)) {
                 tourOf[place] = tour;
             }
         }
+    }
+
+    /// The same with two other tours; handed over.
+    PatrolPlan with(int first, int[] its, int second, int[] others) {
+        var changed = new ArrayList<>(tours);
+        changed.set(first, its);
+        changed.set(second, others);
+        double[] times = rounds.clone();
+        times[first] = Tours.time(graph, its);
+        times[second] = Tours.time(graph, others);
+        return new PatrolPlan(graph, changed, robots, times);
+    }
+
+    /// A number that is another one, almost surely, for another plan.
+    int key() {
+        int key = Arrays.hashCode(robots);
+        for (int[] tour : tours) {
+            key = 31 * key + Arrays.hashCode(tour);
+        }
+        return key;
     }
 
     /// How many tours there are.
@@ -52,7 +82,7 @@ public final class PatrolPlan {
 
     /// Time between two visits of each place of a tour [s].
     public double gap(int tour) {
-        return Tours.time(graph, tours.get(tour)) / robots[tour];
+        return rounds[tour] / robots[tour];
     }
 
     /// The longest time between two visits of a place [s].
@@ -80,7 +110,7 @@ public final class PatrolPlan {
         var slots = new ArrayList<int[]>();
         for (int tour = 0; tour < tours.size(); tour++) {
             int[] places = tours.get(tour);
-            double round = Tours.time(graph, places);
+            double round = rounds[tour];
             for (int robot = 0; robot < robots[tour]; robot++) {
                 double ahead = round * robot / robots[tour];
                 int position = 0;
@@ -98,7 +128,11 @@ public final class PatrolPlan {
     /// One tour over all places that all robots share (J. Elmaliach et al., "Multi-robot area patrol under
     /// frequency constraints", 2009).
     static PatrolPlan cycle(PatrolGraph graph, int members) {
-        int[] tour = Tours.over(graph, all(graph));
+        return cycle(graph, members, Tours.over(graph, all(graph)));
+    }
+
+    /// @param tour over all places
+    static PatrolPlan cycle(PatrolGraph graph, int members, int[] tour) {
         return new PatrolPlan(graph, List.of(tour), new int[] {members});
     }
 
@@ -114,6 +148,9 @@ public final class PatrolPlan {
     static PatrolPlan voronoi(PatrolGraph graph, int members) {
         int cells = Math.min(members, graph.size());
         var origins = new int[cells];
+        var cellOf = new int[graph.size()];
+        Arrays.fill(cellOf, PatrolView.NONE);
+        cellOf[0] = 0;
         for (int cell = 1; cell < cells; cell++) {
             double farthest = -1;
             for (int place = 0; place < graph.size(); place++) {
@@ -121,18 +158,19 @@ public final class PatrolPlan {
                 for (int before = 0; before < cell; before++) {
                     nearest = Math.min(nearest, graph.length(origins[before], place));
                 }
-                if (nearest > farthest) {
+                if (cellOf[place] == PatrolView.NONE && nearest > farthest) {
                     farthest = nearest;
                     origins[cell] = place;
                 }
             }
+            cellOf[origins[cell]] = cell;
         }
         var places = new ArrayList<List<Integer>>();
         for (int cell = 0; cell < cells; cell++) {
             places.add(new ArrayList<>());
         }
         for (int place = 0; place < graph.size(); place++) {
-            int nearest = 0;
+            int nearest = Math.max(0, cellOf[place]); // an origin is in its own cell
             for (int cell = 1; cell < cells; cell++) {
                 if (graph.length(origins[cell], place) < graph.length(origins[nearest], place)) {
                     nearest = cell;

@@ -1,11 +1,13 @@
 package rsal.agents.patrol.strategy;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.random.RandomGenerator;
 
 /// What a robot knows when it decides where to go next: the places, the living members of its team in the order
-/// of their names, and what these have reported. Times are in s since the patrol began. Members and places have
-/// numbers from 0. A strategy only reads it.
+/// of their names, and what these have reported. Times are in s since this robot began to patrol; those of other
+/// robots' clocks differ, and what was before is negative. Members and places have numbers from 0. A strategy
+/// only reads it.
 public final class PatrolView {
     /// Stands for a place that is not known.
     public static final int NONE = -1;
@@ -13,22 +15,25 @@ public final class PatrolView {
     private final PatrolGraph graph;
     private final RandomGenerator random;
     private final double[] visited; // by place
+    private final boolean[] isKnown; // by place, whether a visit is known
     private double now;
     private int self;
     private int members = 1;
+    private int team; // hash of the members' names
     private int[] at = {NONE};
     private int[] next = {NONE};
     private double[] arrival = {Double.POSITIVE_INFINITY};
     private int[][] notes = {{}};
     private double[] lengths;
 
-    /// All places count as visited now, at time 0.
+    /// Places of which no visit is known count as visited at time 0.
     ///
     /// @param random of this robot's own
     public PatrolView(PatrolGraph graph, RandomGenerator random) {
         this.graph = graph;
         this.random = random;
         this.visited = new double[graph.size()];
+        this.isKnown = new boolean[graph.size()];
         this.lengths = new double[graph.size()];
     }
 
@@ -43,10 +48,13 @@ public final class PatrolView {
 
     /// Who is in the team now; nothing is known of them until [#report].
     ///
-    /// @param number the robot's own, among the names of all members in ascending order
-    public void setTeam(int number, int size) {
+    /// @param number the robot's own, among the names of all members
+    /// @param names of all members, in ascending order
+    public void setTeam(int number, List<String> names) {
+        int size = names.size();
         self = number;
         members = size;
+        team = names.hashCode();
         at = filled(size);
         next = filled(size);
         arrival = new double[size];
@@ -74,8 +82,11 @@ public final class PatrolView {
     }
 
     /// A member was at a place; an older report changes nothing.
+    ///
+    /// @param time [s]; negative when that was before this robot began
     public void visit(int place, double time) {
-        visited[place] = Math.max(visited[place], time);
+        visited[place] = isKnown[place] ? Math.max(visited[place], time) : time;
+        isKnown[place] = true;
     }
 
     public PatrolGraph graph() {
@@ -94,6 +105,11 @@ public final class PatrolView {
     /// The robot's own number.
     public int self() {
         return self;
+    }
+
+    /// A number that is another one, almost surely, when other members are in the team.
+    public int team() {
+        return team;
     }
 
     /// How many robots patrol, with this one.

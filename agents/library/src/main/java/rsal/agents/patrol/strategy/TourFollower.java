@@ -1,7 +1,9 @@
 package rsal.agents.patrol.strategy;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.BiFunction;
 import org.jspecify.annotations.Nullable;
@@ -9,7 +11,8 @@ import rsal.agent.team.Assignment;
 
 /// Follows one tour of a plan that all members of the team find alike. Members take their starts on the tours
 /// so that the longest path to one is short, and report which start they have taken; when two have taken the
-/// same one, the one with the lower number keeps it. When the number of members changes, all plan again.
+/// same one, the one with the lower number keeps it. When the number of members changes, all plan again. One that
+/// has another plan, as its planner failed when it began, counts as one without a start.
 final class TourFollower implements PatrolStrategy {
     private static final double JUST_VISITED = 0.15; // of the time between two visits
     private static final int NOTE = 3; // numbers
@@ -20,9 +23,12 @@ final class TourFollower implements PatrolStrategy {
     private final BiFunction<PatrolGraph, Integer, PatrolPlan> planner;
     private final double spacing;
     private final boolean helps;
+    private final Map<Integer, PatrolPlan> plans = new HashMap<>(); // for the graph, by number of members
+    private @Nullable PatrolGraph graph;
     private @Nullable PatrolPlan plan;
     private List<int[]> slots = List.of();
     private int members;
+    private int key; // of the plan
     private int slot = PatrolView.NONE;
     private int position = PatrolView.NONE;
     private int direction = 1;
@@ -38,20 +44,21 @@ final class TourFollower implements PatrolStrategy {
         this.helps = helps;
     }
 
-    /// How many members it plans for, which start it has taken, and to which position on its tour it goes.
+    /// The plan's key, which start it has taken, and to which position on its tour it goes.
     @Override
     public int[] note() {
-        return new int[] {members, slot, position};
+        return new int[] {key, slot, position};
     }
 
     @Override
     public int next(PatrolView view) {
         PatrolPlan tours = plan;
         if (tours == null || members != view.members()) {
-            tours = planner.apply(view.graph(), view.members());
+            tours = planned(view);
             plan = tours;
             slots = tours.slots();
             members = view.members();
+            key = tours.key();
             slot = PatrolView.NONE;
         }
         if (slot == PatrolView.NONE || isTaken(view, slot, view.self())) {
@@ -79,6 +86,15 @@ final class TourFollower implements PatrolStrategy {
         helping = false;
         position = following;
         return next;
+    }
+
+    /// As before when as many members were there before.
+    private PatrolPlan planned(PatrolView view) {
+        if (graph != view.graph()) {
+            graph = view.graph();
+            plans.clear();
+        }
+        return plans.computeIfAbsent(view.members(), count -> planner.apply(view.graph(), count));
     }
 
     /// How far the robot is behind the next one on its tour [s].
@@ -168,7 +184,7 @@ final class TourFollower implements PatrolStrategy {
 
     private boolean hasTaken(PatrolView view, int member, int start) {
         int[] note = view.note(member);
-        return note.length == NOTE && note[0] == members && note[1] == start;
+        return note.length == NOTE && note[0] == key && note[1] == start;
     }
 
     /// A start that nobody has taken, such that the longest of the paths that the members have to the free ones
@@ -196,7 +212,7 @@ final class TourFollower implements PatrolStrategy {
 
     private boolean hasAny(PatrolView view, int member) {
         int[] note = view.note(member);
-        return note.length == NOTE && note[0] == members && note[1] >= 0 && note[1] < slots.size();
+        return note.length == NOTE && note[0] == key && note[1] >= 0 && note[1] < slots.size();
     }
 
     private static String name(int member) {

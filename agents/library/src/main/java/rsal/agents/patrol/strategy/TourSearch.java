@@ -36,9 +36,10 @@ final class TourSearch {
 
     /// The best plan with any number of tours: from one that all robots share to one for each robot.
     PatrolPlan best(int members) {
-        PatrolPlan best = PatrolPlan.cycle(graph, members);
+        int[] all = Tours.over(graph, PatrolPlan.all(graph));
+        PatrolPlan best = PatrolPlan.cycle(graph, members, all);
         for (int tours = 2; tours <= Math.min(members, graph.size()); tours++) {
-            PatrolPlan plan = divided(tours, members, TourSearch::score);
+            PatrolPlan plan = divided(all, tours, members, TourSearch::score);
             best = score(plan) < score(best) - GAIN ? plan : best;
         }
         return best;
@@ -49,7 +50,11 @@ final class TourSearch {
         int tours = Math.min(members, graph.size());
         return tours == 1
                 ? PatrolPlan.cycle(graph, members)
-                : divided(tours, members, plan -> plan.worst() + 1e-3 * plan.meanGap());
+                : divided(
+                        Tours.over(graph, PatrolPlan.all(graph)),
+                        tours,
+                        members,
+                        plan -> plan.worst() + 1e-3 * plan.meanGap());
     }
 
     /// What a plan costs [s].
@@ -66,8 +71,8 @@ final class TourSearch {
         return worst + WEIGHT_OF_MEAN * mean / places;
     }
 
-    private PatrolPlan divided(int tours, int members, ToDoubleFunction<PatrolPlan> cost) {
-        int[] all = Tours.over(graph, PatrolPlan.all(graph));
+    /// @param all a short tour over all places
+    private PatrolPlan divided(int[] all, int tours, int members, ToDoubleFunction<PatrolPlan> cost) {
         int[] robots = PatrolPlan.shares(tours, members);
         var plans = new ArrayList<PatrolPlan>();
         plans.add(new PatrolPlan(graph, cellTours(tours), robots));
@@ -167,7 +172,7 @@ final class TourSearch {
                     if (to != from) {
                         int[] target = plan.places(to);
                         int[] longer = Tours.with(target, Tours.slot(graph, target, places[i]), places[i]);
-                        PatrolPlan other = replaced(plan, from, rest, to, longer);
+                        PatrolPlan other = plan.with(from, rest, to, longer);
                         if (cost.applyAsDouble(other) < least) {
                             least = cost.applyAsDouble(other);
                             best = other;
@@ -188,8 +193,7 @@ final class TourSearch {
                 int[] second = plan.places(to);
                 for (int i = 0; i < first.length; i++) {
                     for (int j = 0; j < second.length; j++) {
-                        PatrolPlan other = replaced(
-                                plan,
+                        PatrolPlan other = plan.with(
                                 from,
                                 put(Tours.without(first, i, 1), second[j]),
                                 to,
@@ -206,16 +210,6 @@ final class TourSearch {
 
     private int[] put(int[] tour, int place) {
         return Tours.with(tour, Tours.slot(graph, tour, place), place);
-    }
-
-    private PatrolPlan replaced(PatrolPlan plan, int from, int[] first, int to, int[] second) {
-        var tours = new ArrayList<int[]>();
-        var robots = new int[plan.size()];
-        for (int tour = 0; tour < plan.size(); tour++) {
-            tours.add(tour == from ? first : tour == to ? second : plan.places(tour));
-            robots[tour] = plan.robots(tour);
-        }
-        return new PatrolPlan(graph, tours, robots);
     }
 
     private PatrolPlan shortened(PatrolPlan plan) {

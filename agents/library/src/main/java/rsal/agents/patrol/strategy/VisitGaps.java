@@ -7,7 +7,7 @@ import java.util.Arrays;
 /// of that when visits are regular.
 public final class VisitGaps {
     private final double warmUp;
-    private final double[] visited; // s, by place; the warm-up's end before any visit
+    private final double[] visited; // s, by place, until when somebody was there; 0 before any visit
     private final double[] sums; // of gaps, by place
     private final double[] squares; // of gaps, by place
     private final int[] counts; // of gaps, by place
@@ -29,6 +29,13 @@ public final class VisitGaps {
         if (time >= warmUp && time > visited[place]) {
             count(place, time);
         }
+        visited[place] = Math.max(visited[place], time);
+    }
+
+    /// Somebody is still at a place since the last visit: no new visit, but nobody has left it alone.
+    ///
+    /// @param time not before that of the last visit [s]
+    public void stay(int place, double time) {
         visited[place] = Math.max(visited[place], time);
     }
 

@@ -3,8 +3,10 @@ package rsal.agents.patrol.strategy;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import rsal.agent.StrategyComparison;
 import rsal.data.Point2d;
 
 class GraphFileTest {
@@ -60,6 +62,22 @@ class GraphFileTest {
                 .hasMessageContaining("itself");
         assertThatThrownBy(() -> GraphFile.read(HEADER + "0 0\n0 10")).hasMessageContaining("ends before the y");
         assertThatThrownBy(() -> GraphFile.read("9".repeat(2_000_000))).hasMessageContaining("1000000 characters");
+    }
+
+    @Test
+    void errorIsThatOfTheWayThatGotFurther() {
+        assertThatThrownBy(() -> GraphFile.read(HEADER + PLACES.replace("1 S 20", "1 S far")))
+                .hasMessageContaining("length of edge 1 of place 2 is 'far'");
+    }
+
+    @Test
+    void comparisonRefusesAGraphInPieces() {
+        String text = HEADER + "0 0\n"
+                + PLACES.replace("2\n0 W 10\n2 N 20", "1\n0 W 10").replace("1\n1 S 20", "0");
+        var team = new StrategyComparison.Team(List.of(2), 1, 0, 1, 100);
+        assertThat(GraphFile.read(text).mapFromPlaces()).hasSize(3);
+        assertThatThrownBy(() -> new GraphComparison().compare(text, List.of("cr"), team))
+                .hasMessageContaining("Place '2' can't be reached");
     }
 
     @Test

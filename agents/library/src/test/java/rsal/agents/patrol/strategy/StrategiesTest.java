@@ -102,10 +102,87 @@ class StrategiesTest {
     }
 
     @Test
-    void survivorsOfAPartitionShareThePlacesOfTheLostOne() {
+    void survivorsShareThePlacesOfTheLostOne() {
         PatrolGraph graph = RandomPlaces.rooms();
         double planned = new TourSearch(graph).best(3).worst();
         VisitGaps gaps = run(strategy("balanced"), graph, 4, 3, new Loss(0, 2000));
         assertThat(gaps.worst(TIME)).isLessThan(3 * planned);
+    }
+
+    private static PatrolView view(PatrolGraph graph, int self, String... names) {
+        var view = new PatrolView(graph, new SplittableRandom(1));
+        view.setTeam(self, List.of(names));
+        return view;
+    }
+
+    private static void stand(PatrolView view, double now, int place) {
+        var lengths = new double[view.graph().size()];
+        Arrays.setAll(lengths, to -> view.graph().length(place, to));
+        view.set(now, lengths);
+        view.report(view.self(), place, PatrolView.NONE, Double.POSITIVE_INFINITY, new int[0]);
+    }
+
+    @Test
+    void conscientiousReactiveTriesOtherNeighborsWhenItCannotGetToOne() {
+        PatrolGraph graph = RandomPlaces.rooms();
+        PatrolStrategy strategy = strategy("cr").create(Arguments.defaults(List.of()));
+        PatrolView view = view(graph, 0, "a");
+        stand(view, 10, 3);
+        int first = strategy.next(view);
+        stand(view, 20, 3);
+        assertThat(strategy.next(view)).isNotEqualTo(first);
+    }
+
+    @Test
+    void dynamicTasksNeedNoCommonClock() {
+        PatrolGraph graph = RandomPlaces.rooms();
+        int size = graph.size();
+        PatrolStrategy[] strategies = {
+            strategy("dtap").create(Arguments.defaults(List.of())),
+            strategy("dtap").create(Arguments.defaults(List.of()))
+        };
+        PatrolView[] views = {view(graph, 0, "a", "b"), view(graph, 1, "a", "b")};
+        int[] at = {0, 11};
+        var awards = new int[size];
+        for (int round = 1; round < 60; round++) {
+            int self = round % 2;
+            stand(views[self], 5 * round + (self == 0 ? 1000 : 0), at[self]);
+            views[self].visit(at[self], views[self].now());
+            views[self].report(1 - self, at[1 - self], PatrolView.NONE, 0, strategies[1 - self].note());
+            int[] heard = strategies[1 - self].note();
+            at[self] = strategies[self].next(views[self]);
+            int[] own = strategies[self].note();
+            for (int place = 0; place < size; place++) {
+                int award = own[1 + size + place];
+                assertThat(award).as("round %d", round).isGreaterThanOrEqualTo(awards[place]);
+                if (heard.length > 1 && award == heard[1 + size + place]) {
+                    assertThat(own[1 + place]).as("round %d", round).isEqualTo(heard[1 + place]);
+                }
+                awards[place] = award;
+            }
+        }
+        assertThat(Arrays.stream(awards).sum()).isGreaterThan(5);
+    }
+
+    @Test
+    void dynamicTasksForgetOwnersWhenOthersAreInTheTeam() {
+        PatrolGraph graph = RandomPlaces.rooms();
+        int size = graph.size();
+        PatrolStrategy strategy = strategy("dtap").create(Arguments.defaults(List.of()));
+        PatrolView view = view(graph, 0, "a", "b");
+        stand(view, 10, 0);
+        strategy.next(view);
+        int[] before = strategy.note();
+        view.setTeam(1, List.of("_", "a"));
+        stand(view, 20, 0);
+        int[] stale = before.clone();
+        Arrays.fill(stale, 1, 1 + size, 1);
+        Arrays.fill(stale, 1 + size, stale.length, 1000);
+        view.report(0, 3, PatrolView.NONE, 0, stale);
+        strategy.next(view);
+        int[] after = strategy.note();
+        assertThat(after[0]).isNotEqualTo(before[0]);
+        assertThat(Arrays.stream(after, 1 + size, after.length).max().orElseThrow())
+                .isLessThan(1000);
     }
 }

@@ -97,7 +97,7 @@ class TourSearchTest {
     }
 
     @Test
-    void bestPlanCostsNoMoreThanTheCycleAndThePartitionAndIsTheSameForAll() {
+    void bestPlanCostsNoMoreThanTheCycleAndTheCellsAndIsTheSameForAll() {
         for (int seed = 0; seed < 15; seed++) {
             PatrolGraph graph = RandomPlaces.graph(new SplittableRandom(seed), 18, 1, 0);
             PatrolPlan best = new TourSearch(graph).best(4);
@@ -109,6 +109,30 @@ class TourSearchTest {
                 assertThat(again.tour(tour)).containsExactly(best.tour(tour));
             }
         }
+    }
+
+    @Test
+    void placesAtOneSpotHaveCellsOfTheirOwn() {
+        PatrolGraph graph = PatrolGraph.ofLengths(new double[] {0, 0, 5, 0, 0, 5, 5, 5, 0}, 1, 0);
+        for (int members = 1; members <= 3; members++) {
+            PatrolPlan plan = PatrolPlan.voronoi(graph, members);
+            assertThat(plan.size()).isEqualTo(members);
+            for (int tour = 0; tour < plan.size(); tour++) {
+                assertThat(plan.tour(tour)).isNotEmpty();
+            }
+        }
+    }
+
+    @Test
+    void planWithTwoOtherToursTakesTheirTimes() {
+        PatrolGraph graph = RandomPlaces.graph(new SplittableRandom(1), 9, 0.6, 7);
+        PatrolPlan plan = new TourSearch(graph).partition(3);
+        int[] first = Tours.with(plan.tour(0), 1, plan.tour(1)[0]);
+        int[] second = Tours.without(plan.tour(1), 0, 1);
+        PatrolPlan changed = plan.with(0, first, 1, second);
+        assertThat(changed.gap(0)).isCloseTo(Tours.time(graph, first), within(1e-9));
+        assertThat(changed.gap(1)).isCloseTo(Tours.time(graph, second), within(1e-9));
+        assertThat(changed.gap(2)).isEqualTo(plan.gap(2));
     }
 
     @Test

@@ -49,4 +49,18 @@ class VisitGapsTest {
         assertThat(gaps.worst(100)).isEqualTo(50);
         assertThat(gaps.visits()).isEqualTo(12);
     }
+
+    @Test
+    void whoStaysMakesNoVisitAndLeavesNothingAlone() {
+        var gaps = new VisitGaps(1, 0);
+        gaps.visit(0, 10);
+        for (int time = 11; time <= 60; time++) {
+            gaps.stay(0, time);
+        }
+        gaps.visit(0, 80);
+        assertThat(gaps.visits()).isEqualTo(2);
+        assertThat(gaps.meanGap(80)).isEqualTo((10 + 20) / 2.0);
+        assertThat(gaps.worst(80)).isEqualTo(20);
+        assertThat(gaps.meanIdleness(80)).isCloseTo((10 * 10 + 20 * 20) / 2.0 / 80, within(1e-9));
+    }
 }
