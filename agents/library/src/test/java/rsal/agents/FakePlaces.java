@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import rsal.agents.parts.AgentWords;
+import rsal.data.PlaceObjective;
 import rsal.data.Pose2d;
 import rsal.device.DeviceCore;
 import rsal.device.DeviceInfo;
 import rsal.device.PlaceFinder;
-import rsal.device.PlaceObjective;
 
 /// Notes each question and finds what the test says.
 public final class FakePlaces extends DeviceCore implements PlaceFinder {

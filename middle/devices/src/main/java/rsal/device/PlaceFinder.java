@@ -2,6 +2,7 @@ package rsal.device;
 
 import java.util.List;
 import java.util.concurrent.CompletionStage;
+import rsal.data.PlaceObjective;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 

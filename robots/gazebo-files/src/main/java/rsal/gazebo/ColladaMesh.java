@@ -31,7 +31,8 @@ final class ColladaMesh {
     private final Map<String, XmlElement> nodes = new HashMap<>(); // by id
     private final Map<String, XmlElement> geometries = new HashMap<>();
     private final Map<String, XmlElement> skins = new HashMap<>(); // by controllers
-    private final IdentityHashMap<XmlElement, double[]> corners = new IdentityHashMap<>(); // of geometries: x, y, z and so on
+    private final IdentityHashMap<XmlElement, double[]> corners =
+            new IdentityHashMap<>(); // of geometries: x, y, z and so on
     private int instances;
     private long shown; // corners
 

@@ -5,8 +5,8 @@ import rsal.agent.AgentContext;
 import rsal.agent.message.NewGoal;
 import rsal.agents.driving.PlaceQuest;
 import rsal.agents.parts.AgentTypeBase;
+import rsal.data.PlaceObjective;
 import rsal.data.Point2d;
-import rsal.device.PlaceObjective;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 

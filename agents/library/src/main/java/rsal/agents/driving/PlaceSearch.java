@@ -8,10 +8,10 @@ import rsal.agent.protocol.Request;
 import rsal.agent.protocol.Request.Asked;
 import rsal.agents.parts.AgentWords;
 import rsal.agents.parts.PoseReporter;
+import rsal.data.PlaceObjective;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.PlaceFinder;
-import rsal.device.PlaceObjective;
 import rsal.robot.Robot;
 
 /// Finds places that a robot can get to, for others who ask, by the robot's place finder. Asking moves nothing.

@@ -2,8 +2,8 @@ package rsal.navigation.spread;
 
 import java.util.Arrays;
 import java.util.List;
+import rsal.data.PlaceObjective;
 import rsal.data.Point2d;
-import rsal.device.PlaceObjective;
 import rsal.navigation.rooms.RoomMap;
 
 /// Chooses places for a team on a [ReachableSpace] by an objective other than [PlaceObjective#EVENLY], which is

@@ -29,8 +29,9 @@ final class Rivals {
         if (!found.isEmpty()) {
             LOG.log(
                     Level.WARNING,
-                    () -> "Another program of this domain also publishes %s. Its robots get the same velocities. Choose another ROS_DOMAIN_ID for one of them."
-                            .formatted(String.join(", ", found)));
+                    () ->
+                            "Another program of this domain also publishes %s. Its robots get the same velocities. Choose another ROS_DOMAIN_ID for one of them."
+                                    .formatted(String.join(", ", found)));
         }
         return found;
     }

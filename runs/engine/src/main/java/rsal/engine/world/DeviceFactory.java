@@ -80,8 +80,8 @@ public final class DeviceFactory implements AutoCloseable {
         for (PlannedDevice device : planned.drivers()) {
             List<String> missing = missing(device, robot);
             if (missing.isEmpty()) {
-                robot = robot.with(
-                        breaker.breakable(make(device, robot, device.mapFromStart().or(() -> start))));
+                robot = robot.with(breaker.breakable(
+                        make(device, robot, device.mapFromStart().or(() -> start))));
             } else {
                 leaveOut(device, robot, missing);
             }
@@ -99,8 +99,8 @@ public final class DeviceFactory implements AutoCloseable {
     }
 
     private void leaveOut(PlannedDevice device, Robot robot, List<String> missing) {
-        String what = "'%s' is left out, as the robot has no %s"
-                .formatted(device.name(), String.join(" and no ", missing));
+        String what =
+                "'%s' is left out, as the robot has no %s".formatted(device.name(), String.join(" and no ", missing));
         eventLog.event("device", robot.id(), what);
         LOG.log(Level.WARNING, () -> "Robot '%s': %s.".formatted(robot.id(), what));
     }

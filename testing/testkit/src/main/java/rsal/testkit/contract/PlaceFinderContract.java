@@ -7,10 +7,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rsal.data.OccupancyGrid;
+import rsal.data.PlaceObjective;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.device.PlaceFinder;
-import rsal.device.PlaceObjective;
 
 /// What every [PlaceFinder] owes.
 public abstract class PlaceFinderContract extends DeviceContract<PlaceFinder> {

@@ -1,4 +1,4 @@
-package rsal.device;
+package rsal.data;
 
 import java.util.Arrays;
 import java.util.List;
