@@ -14,7 +14,7 @@ public final class DrawnMaps {
 
     /// @param side of a drawn character [m], a multiple of 0.05
     public static OccupancyGrid of(double side, String drawing) {
-        String[] lines = drawing.strip().split("\n");
+        String[] lines = drawing.strip().split("\n", -1);
         int factor = (int) Math.round(side / 0.05);
         int width = lines[0].length() * factor;
         int height = lines.length * factor;

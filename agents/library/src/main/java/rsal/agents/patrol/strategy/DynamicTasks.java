@@ -82,7 +82,7 @@ public final class DynamicTasks implements PatrolStrategyType {
                 for (int place = 0; note.length == 1 + 2 * size && note[0] == key && place < size; place++) {
                     int its = note[1 + place];
                     int number = note[1 + size + place];
-                    boolean isNewer = number > award[place] || number == award[place] && its < owner[place];
+                    boolean isNewer = number > award[place] || (number == award[place] && its < owner[place]);
                     if (its >= 0 && its < members && isNewer) {
                         owner[place] = its;
                         award[place] = number;
