@@ -65,7 +65,7 @@ public final class DynamicTasks implements PatrolStrategyType {
                                 - HOP * size * hops[place]
                                 - 1e-3 * view.lengthTo(place));
                 int winner = winner(view, wanted);
-                give(view, wanted, winner);
+                give(wanted, winner);
                 if (winner == view.self() || isUrgent(view, wanted)) {
                     return wanted;
                 }
@@ -91,7 +91,7 @@ public final class DynamicTasks implements PatrolStrategyType {
             }
         }
 
-        private void give(PatrolView view, int place, int winner) {
+        private void give(int place, int winner) {
             if (owner[place] != winner) {
                 owner[place] = winner;
                 award[place]++;
