@@ -116,7 +116,8 @@ public final class PatrolMember {
             return;
         }
         boolean isAnother = order != null && !from.equals(sender);
-        if (heard.mapFromPlaces().isEmpty() || (isAnother && ordered.plus(FORGET).isAfter(now))) {
+        if (heard.mapFromPlaces().isEmpty()
+                || (isAnother && ordered.plus(FORGET).isAfter(now))) {
             return;
         }
         order = heard;
