@@ -37,10 +37,10 @@ public final class PatrolMember {
     private static final double AGAIN = 10; // s until a visit of the same place counts again
     private static final double SPEED = 0.5; // m/s, with turns
     private static final double STOP = 2; // s, for a turn to the next place
-    private static final double MOVED = 0.3; // m, less is no progress
-    private static final double STUCK = 40; // s without progress until it gives up
-    private static final double DETOUR = 3; // times the path's length, at most
-    private static final double DETOUR_MORE = 20; // m
+    private static final double MOVED = 1; // m, less is no progress, as of a robot that turns to and fro
+    private static final double STUCK = 30; // s without progress until it gives up
+    private static final double DETOUR = 2; // times the path's length, at most
+    private static final double DETOUR_MORE = 10; // m
     private static final Duration FORGET = Duration.ofSeconds(16); // after the last order of a sender: three are lost
 
     private final AgentContext self;
@@ -116,7 +116,8 @@ public final class PatrolMember {
             return;
         }
         boolean isAnother = order != null && !from.equals(sender);
-        if (heard.mapFromPlaces().isEmpty() || isAnother && ordered.plus(FORGET).isAfter(now)) {
+        if (heard.mapFromPlaces().isEmpty()
+                || (isAnother && ordered.plus(FORGET).isAfter(now))) {
             return;
         }
         order = heard;

@@ -65,7 +65,7 @@ public final class DynamicTasks implements PatrolStrategyType {
                                 - HOP * size * hops[place]
                                 - 1e-3 * view.lengthTo(place));
                 int winner = winner(view, wanted);
-                give(view, wanted, winner);
+                give(wanted, winner);
                 if (winner == view.self() || isUrgent(view, wanted)) {
                     return wanted;
                 }
@@ -82,7 +82,7 @@ public final class DynamicTasks implements PatrolStrategyType {
                 for (int place = 0; note.length == 1 + 2 * size && note[0] == key && place < size; place++) {
                     int its = note[1 + place];
                     int number = note[1 + size + place];
-                    boolean isNewer = number > award[place] || number == award[place] && its < owner[place];
+                    boolean isNewer = number > award[place] || (number == award[place] && its < owner[place]);
                     if (its >= 0 && its < members && isNewer) {
                         owner[place] = its;
                         award[place] = number;
@@ -91,7 +91,7 @@ public final class DynamicTasks implements PatrolStrategyType {
             }
         }
 
-        private void give(PatrolView view, int place, int winner) {
+        private void give(int place, int winner) {
             if (owner[place] != winner) {
                 owner[place] = winner;
                 award[place]++;
