@@ -14,7 +14,6 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import rsal.rtps.WriterProxy.Arrival;
 import rsal.rtps.discovery.BuiltinEndpoint;
 import rsal.rtps.discovery.EndpointData;
@@ -38,17 +37,9 @@ import rsal.rtps.wire.Submessage.Content;
 /// networks, with loss and delay, run in a test. Of one thread at a time. All times `now` are of one clock that never
 /// goes back [ns].
 public final class Participant {
-    private static final long SECOND = 1_000_000_000; // ns
-    private static final int FIRST_ANNOUNCEMENTS = 5;
-    private static final long BETWEEN_FIRST_ANNOUNCEMENTS = SECOND / 10;
-    private static final long BETWEEN_ANNOUNCEMENTS = 3 * SECOND / 2; // of few: who was cut off is found within 2 s
-    private static final int FEW = 20; // participants; of more, each announces itself less often
-    private static final int OF_LEASE = 6; // announcements within a lease at least, of which some may be lost
-    private static final int TO_KNOWN = 3; // of these, to those that may not hear the multicast group
-
     private final ParticipantData self;
     private final byte[] announced; // what it says of itself
-    private final Set<InetSocketAddress> here; // where it hears what it sends itself
+    private final Announcements announcements;
     private final RtpsLimits limits;
     private final GraphListener graph;
     private final DatagramOutbox outbox;
@@ -61,9 +52,6 @@ public final class Participant {
     private final Set<GuidPrefix> refused = new HashSet<>();
     private int entities;
     private int endpoints; // of others
-    private int announcements;
-    private long announceAt;
-    private long announceToKnownAt;
     private long due;
     private long now;
     private boolean isToGroup; // the datagram that is being received
@@ -87,9 +75,7 @@ public final class Participant {
         }
         this.self = self;
         announced = DiscoveryMessages.parameters(self::write);
-        here = self.metatraffic().stream()
-                .flatMap(each -> each.unicast().stream())
-                .collect(Collectors.toUnmodifiableSet());
+        announcements = new Announcements(self, now);
         this.limits = limits;
         this.graph = graph;
         this.now = now;
@@ -97,8 +83,6 @@ public final class Participant {
         outbox = new DatagramOutbox(self.prefix(), network, fragmentSize);
         budget = new AssemblyBudget(limits);
         exchange = new WriterExchange(outbox, fragmentSize, limits);
-        announceAt = now;
-        announceToKnownAt = now;
         due = now;
         for (BuiltinEndpoint builtin : BuiltinEndpoint.RELIABLE) {
             Qos qos = Qos.LATCHED.keep(Qos.KEEP_ALL);
@@ -266,12 +250,12 @@ public final class Participant {
         advance(time);
         if (now >= due) {
             due = now; // if a listener fails, what is left is done next time
-            announce();
+            announcements.announce(outbox, announced, others.values(), now);
             long earliestExpiry = expire();
             own.dismiss(now)
                     .forEach(gone ->
                             withdraw(BuiltinEndpoint.PUBLICATIONS, gone.data().guid()));
-            due = Math.min(announceAt, earliestExpiry);
+            due = Math.min(announcements.due(), earliestExpiry);
             wake(own.tick(outbox, now));
             outbox.flush();
         }
@@ -289,32 +273,6 @@ public final class Participant {
 
     private void wake(long at) {
         due = Math.min(due, at);
-    }
-
-    private void announce() {
-        if (now >= announceAt) {
-            DiscoveryMessages.announce(outbox.toAll(), announced);
-            boolean isToKnown = now >= announceToKnownAt;
-            outbox.announce(isToKnown ? here : known());
-            announcements++;
-            long toKnown = Math.max(self.lease() / TO_KNOWN, BETWEEN_FIRST_ANNOUNCEMENTS);
-            long longest = Math.max(self.lease() / OF_LEASE, Math.min(BETWEEN_ANNOUNCEMENTS, toKnown));
-            long usual = announcements < FIRST_ANNOUNCEMENTS ? BETWEEN_FIRST_ANNOUNCEMENTS : BETWEEN_ANNOUNCEMENTS;
-            announceToKnownAt = isToKnown ? now + toKnown : announceToKnownAt;
-            announceAt = Math.min(now + Math.min(usual * (1 + others.size() / FEW), longest), announceToKnownAt);
-        }
-    }
-
-    /// Where those hear that are known, and whose own announcements came by the multicast group lately: most likely,
-    /// they hear ours there, too.
-    private Set<InetSocketAddress> known() {
-        var known = new HashSet<InetSocketAddress>(here);
-        for (RemoteParticipant other : others.values()) {
-            if (other.isInGroup(now)) {
-                known.addAll(other.metatraffic.addresses());
-            }
-        }
-        return known;
     }
 
     /// @return when the next participant goes unless it announces itself again [ns]

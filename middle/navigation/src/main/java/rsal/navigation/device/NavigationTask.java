@@ -304,10 +304,8 @@ final class NavigationTask {
         planning.forget();
         progress.excuse(now.now());
         if (progress.isTimeToGiveUp(now.now())) {
-            giveUp("It drove about for %d s and still is unsure where it is, by %.1f m."
-                    .formatted(
-                            settings.patience().toSeconds(),
-                            now.estimate().covariance().positionDeviation()));
+            giveUp("It drove about for %d s, and is still unsure where it is: %s."
+                    .formatted(settings.patience().toSeconds(), PoseConfidence.doubt(now.estimate())));
             return Twist2d.STOP;
         }
         Recovery.Situation seen = situation(now, 0, 0);

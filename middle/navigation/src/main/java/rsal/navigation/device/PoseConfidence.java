@@ -3,6 +3,7 @@ package rsal.navigation.device;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Locale;
 import rsal.data.Angles;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
@@ -34,6 +35,17 @@ final class PoseConfidence {
         return Duration.between(localized, now).compareTo(most) > 0
                 || isAmbiguous(estimate.mapFromBase(), estimate.hypotheses())
                 || estimate.covariance().positionDeviation() > UNSURE;
+    }
+
+    /// Why it is unsure: for people.
+    static String doubt(PoseEstimate estimate) {
+        if (isLost(estimate)) {
+            return "what it sees does not fit the map there";
+        }
+        if (isAmbiguous(estimate.mapFromBase(), estimate.hypotheses())) {
+            return "%d places fit what it sees".formatted(estimate.hypotheses().size());
+        }
+        return String.format(Locale.ROOT, "by %.1f m", estimate.covariance().positionDeviation());
     }
 
     private static boolean isAmbiguous(Pose2d best, List<Hypothesis> hypotheses) {

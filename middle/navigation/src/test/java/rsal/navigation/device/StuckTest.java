@@ -280,6 +280,14 @@ class StuckTest {
                 .isInstanceOfSatisfying(
                         Result.Stuck.class,
                         stuck -> assertThat(stuck.why())
-                                .contains("45 s", "m of its path are left", "tried '", "The nearest obstacle is"));
+                                .satisfiesAnyOf(
+                                        why -> assertThat(why)
+                                                .contains(
+                                                        "45 s",
+                                                        "m of its path are left",
+                                                        "tried '",
+                                                        "The nearest obstacle is"),
+                                        why -> assertThat(why) // the other end of the corridor looks alike
+                                                .contains("45 s", "places fit what it sees")));
     }
 }
