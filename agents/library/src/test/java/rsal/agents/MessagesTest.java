@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -82,7 +83,14 @@ class MessagesTest {
             case "List" -> List.of();
             case "PluginChoice" -> new PluginChoice(new RandomWalk(), Arguments.defaults(List.of()));
             case "NavigableMap" -> Collections.emptyNavigableMap();
-            default -> throw new AssertionError("Say here what a %s is like.".formatted(part));
+            case "Map" -> Map.of();
+            default -> {
+                if (!part.getType().isRecord()) {
+                    throw new AssertionError("Say here what a %s is like.".formatted(part));
+                }
+                Class<? extends Record> type = part.getType().asSubclass(Record.class);
+                yield make(type, samples(type));
+            }
         };
     }
 
@@ -132,7 +140,7 @@ class MessagesTest {
     @Test
     void allTopicsAreInstalled() throws IOException {
         var sources = new ArrayList<String>();
-        for (String folder : List.of("src/main/java", "../platform/src/main/java/rsal/agent/message")) {
+        for (String folder : List.of("src/main/java", "../platform/src/main/java/rsal/agent")) {
             try (Stream<Path> files = Files.walk(Path.of(folder))) {
                 for (Path file : files.filter(Files::isRegularFile).toList()) {
                     if (Files.readString(file).contains(" TOPIC = new Topic<>(")) {

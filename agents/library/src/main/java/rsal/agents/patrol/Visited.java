@@ -10,9 +10,8 @@ import rsal.data.Point2d;
 ///
 /// @param robot its id
 /// @param mapFromPlace the place, in the map frame [m]
-/// @param idleness times since the last visits of all places, as far as the robot knows, in the order of
-/// [PatrolOrder] [s], and -1 ([#UNKNOWN]) for those of which it knows of no visit; so others learn of visits of
-/// which they heard nothing. Empty when it knows of none.
+/// @param idleness times since the last visits of all places, in the order of [PatrolOrder] [s]. It is -1
+///     ([#UNKNOWN]) for those of which the robot knows of no visit; empty when it knows of none
 public record Visited(String robot, Point2d mapFromPlace, List<Double> idleness) implements MessageContent {
     public static final Topic<Visited> TOPIC = new Topic<>("visited", Visited.class);
 
