@@ -110,7 +110,8 @@ final class AgentReader {
         return agents;
     }
 
-    /// Agents that wait for tasks of an agent that is not there would wait for ever. Those in files may give tasks, too.
+    /// Agents that wait for tasks of an agent that is not there would wait for ever. Those in files may give tasks,
+    /// too.
     void checkPartners(List<PlannedAgent> all, Location at) {
         Set<String> types = all.stream().map(agent -> agent.type().key()).collect(Collectors.toSet());
         if (!catalog.agents().keySet().containsAll(types)) {
