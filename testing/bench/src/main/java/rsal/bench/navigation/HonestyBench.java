@@ -244,7 +244,7 @@ public final class HonestyBench implements Bench {
     }
 
     private static List<Tick> erring(List<Tick> ticks, Wheels wheels, RandomGenerator random) {
-        if (wheels == Wheels.USUAL) {
+        if (wheels.equals(Wheels.USUAL)) {
             return ticks;
         }
         var erring = new ArrayList<Tick>();
