@@ -101,6 +101,26 @@ class Ros2DiagnosisTest {
     }
 
     @Test
+    void robotsAreThoseThatRunsWouldDrive() {
+        String odometry = "nav_msgs::msg::dds_::Odometry_";
+        List<Finding> findings = Ros2Diagnosis.of(
+                List.of(participant(0x0110, UDP)),
+                List.of(
+                        endpoint(true, "rt/deep/drive_controller/odom", odometry, Qos.DEFAULT),
+                        endpoint(false, "rt/deep/cmd_vel", "geometry_msgs::msg::dds_::TwistStamped_", Qos.DEFAULT),
+                        endpoint(true, "rt/odd/odom", odometry, Qos.DEFAULT),
+                        endpoint(false, "rt/odd/cmd_vel", "std_msgs::msg::dds_::String_", Qos.DEFAULT)));
+        assertThat(findings)
+                .filteredOn(each -> each.what().equals("robot"))
+                .extracting(Finding::ok, Finding::found)
+                .containsExactly(
+                        tuple(true, "'/deep' has cmd_vel, odometry"), tuple(false, "'/odd' has cmd_vel, odometry"));
+        assertThat(findings.getLast().remedy())
+                .isEqualTo("It is no robot that can be driven: it lacks a subscriber of 'cmd_vel' (%s)."
+                        .formatted("geometry_msgs/msg/Twist or geometry_msgs/msg/TwistStamped"));
+    }
+
+    @Test
     void qualityOfServiceThatDoesNotMatchIsToldOnce() {
         String type = "sensor_msgs::msg::dds_::LaserScan_";
         EndpointData reader = endpoint(false, "rt/scan", type, Qos.DEFAULT);
