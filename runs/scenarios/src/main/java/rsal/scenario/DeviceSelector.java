@@ -111,6 +111,7 @@ final class DeviceSelector {
             }
             spare.devices().stream()
                     .limit(last + 1)
+                    .filter(device -> !has(robot.spec().model(), device.driver().makes()))
                     .filter(device -> drivers.stream()
                             .noneMatch(own ->
                                     own.driver().makes().equals(device.driver().makes())))

@@ -362,4 +362,24 @@ class RobotSystemsTest {
         assertThat(robot(plan, "prey").spec().mapFromBase()).isEmpty();
         assertThat(robot(plan(MIXED), "prey").spec().mapFromBase()).contains(Pose2d.ofDegrees(-12, -1, 180));
     }
+
+    @Test
+    void whatARobotHasItselfIsNotMadeForItsAgents() {
+        String scenario = """
+                rsal: 1
+                scenario: own
+                world: {map: office}
+                robots:
+                  r: {model: pioneer2dx, pose: [-12, -1, 180], devices: {laser: urg04lx, %s}}
+                agents: {go: {type: nav, robot: r}}
+                mrs: {use: player}
+                run: {clock: {mode: wall}}
+                """;
+        RunPlan own = plan(scenario.formatted("localizer: own-localizer, navigator: own-navigator"));
+        assertThat(robot(own, "r").drivers()).isEmpty();
+        RunPlan mixed = plan(scenario.formatted("localizer: own-localizer, navigator: {}"));
+        assertThat(robot(mixed, "r").drivers())
+                .extracting(device -> device.driver().key())
+                .containsExactly("navigator");
+    }
 }
