@@ -64,6 +64,11 @@ record JavaType(String key, String description, List<Parameter<?>> parameters, A
     }
 
     @Override
+    public Optional<String> needsAgent(Arguments arguments) {
+        return own.needsAgent(arguments);
+    }
+
+    @Override
     public boolean yields() {
         return own.yields();
     }
