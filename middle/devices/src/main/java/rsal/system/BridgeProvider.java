@@ -24,8 +24,8 @@ public interface BridgeProvider {
 
     /// What to try where ports are taken: for people, as sentences.
     default String portRemedy() {
-        return "Maybe another program is there ('ss -ltnp' shows it). Take other ports by --port P, or any that are free by"
-                + " --port 0.";
+        return "Maybe a program is there, such as another 'rsal bridge' ('ss -ltnp' shows it). Take other ports by --port P, or"
+                + " any that are free by --port 0.";
     }
 
     /// Offers what the context holds from now on. Called on the scheduler's thread.
