@@ -25,7 +25,7 @@ export const parts = [
       { title: 'Install, operate, teach', pages: docs('how-to', 'install', 'network', 'lab', 'troubleshooting') },
       {
         title: 'Robots',
-        pages: docs('how-to', 'localization', 'planning', 'avoidance', 'own-controller', 'recoveries', 'mapping', 'player', 'ros2', 'gazebo', 'another-robot-system', 'another-bridge', 'another-world-format', 'another-log-format'),
+        pages: docs('how-to', 'localization', 'planning', 'avoidance', 'own-controller', 'recoveries', 'traffic', 'mapping', 'player', 'ros2', 'gazebo', 'another-robot-system', 'another-bridge', 'another-world-format', 'another-log-format'),
       },
       {
         title: 'Agents',
