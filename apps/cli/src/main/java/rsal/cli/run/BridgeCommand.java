@@ -73,10 +73,11 @@ public final class BridgeCommand extends Subcommand {
             names = "--port",
             paramLabel = "P",
             converter = PageChoices.Port.class,
-            description = "Port of the first robot; the others follow. 0: any free ports. Default: the usual"
-                    + " port of the protocol (player: 6665). With a FILE.cfg, its ports are shifted by the same"
-                    + " number. For ros2, it is the port of a domain, 7400 + 250 times its number; default: that"
-                    + " of ROS_DOMAIN_ID.")
+            description =
+                    "Port of the first robot; the others follow. 0: any free ports, not for ros2. Default: the usual"
+                            + " port of the protocol (player: 6665). With a FILE.cfg, its ports are shifted by the same"
+                            + " number. For ros2, it is the port of a domain, 7400 + 250 times its number; default: that"
+                            + " of ROS_DOMAIN_ID.")
     private @Nullable Integer port;
 
     @Option(
