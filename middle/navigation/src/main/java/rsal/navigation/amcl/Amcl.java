@@ -247,9 +247,7 @@ public final class Amcl {
         }
         if (beams.count() > 0) {
             judge(search.fates(beams, pose));
-            lost = tracking
-                    ? lost ? !monitor.speaksFor() : monitor.isRefuted()
-                    : lost ? !evidence.speaksFor() : evidence.isRefuted();
+            lost = lost ? !present().speaksFor() : present().isRefuted();
             if (scale.drift() > DRIFT_LOOKED_AT) {
                 scale.shrink(clustered.covariance(), refinement.add(beams, pose));
             }
@@ -274,6 +272,11 @@ public final class Amcl {
     /// something else fits by chance. Then odometry knows better.
     private double trust() {
         return tracking ? Math.clamp((monitor.explained() - LITTLE_EXPLAINED) / ENOUGH_MORE, LEAST_TRUST, 1) : 1;
+    }
+
+    /// What tells whether the present pose is right.
+    private PoseEvidence present() {
+        return tracking ? monitor : evidence;
     }
 
     /// From now on the pose is followed: other places must do much to be believed.
@@ -427,8 +430,7 @@ public final class Amcl {
         clusters.set(0, new Hypothesis(first.weight(), pose, first.covariance()));
         List<Hypothesis> hypotheses = tracking ? challengers.join(clusters) : rivals.join(clusters, NEAR, NEARLY);
         double share = hypotheses.getFirst().weight();
-        double right = tracking ? monitor.probability() : evidence.probability();
-        double likely = Math.clamp(share, 0, 1) * right * Math.pow(BLIND_TRUST, blind);
+        double likely = Math.clamp(share, 0, 1) * present().probability() * Math.pow(BLIND_TRUST, blind);
         boolean plausible = tracking ? monitor.isPlausible() && !isDoubtful() : trusted && evidence.isPlausible();
         boolean sure = plausible
                 && blind < BLIND_AND_SURE
