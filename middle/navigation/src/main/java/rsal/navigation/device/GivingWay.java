@@ -6,9 +6,7 @@ import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Path2d;
 import rsal.data.Point2d;
-import rsal.data.Pose2d;
 import rsal.data.Twist2d;
-import rsal.navigation.avoid.Controller.Target;
 import rsal.navigation.device.PathNavigator.Parts;
 import rsal.navigation.device.PathNavigator.Settings;
 import rsal.navigation.device.PathNavigator.Situation;
@@ -26,6 +24,7 @@ final class GivingWay {
     private final Parts parts;
     private final Settings settings;
     private final Scheduler scheduler;
+    private final PathFollower follower;
     private @Nullable Point2d mapFromPlace;
     private @Nullable PathPlanning planning;
     private boolean isThere;
@@ -34,6 +33,7 @@ final class GivingWay {
         this.parts = parts;
         this.settings = settings;
         this.scheduler = scheduler;
+        this.follower = new PathFollower(parts.avoidance(), settings.lookahead());
     }
 
     boolean isActive() {
@@ -86,15 +86,13 @@ final class GivingWay {
         if (route == null) {
             return Twist2d.STOP;
         }
-        Pose2d mapFromBase = now.mapFromBase();
-        route.advance(mapFromBase.position());
-        Point2d target = own.target(route, mapFromBase.position(), settings.lookahead());
-        Pose2d baseFromMap = mapFromBase.inverse();
-        List<Point2d> way = own.left(mapFromBase.position()).points().stream()
-                .map(baseFromMap::transform)
-                .toList();
-        boolean last = target.distanceTo(route.end()) < settings.lookahead() / 8;
-        return parts.avoidance()
-                .drive(now.obstacles(), new Target(baseFromMap.transform(target), last, way), now.motion());
+        Point2d place = now.mapFromBase().position();
+        route.advance(place);
+        Point2d target = own.target(route, place, settings.lookahead());
+        return follower.drive(
+                now,
+                target,
+                follower.isLast(target, route.end()),
+                own.left(place).points());
     }
 }

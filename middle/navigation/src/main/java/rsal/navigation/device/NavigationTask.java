@@ -15,7 +15,6 @@ import rsal.device.GoalSource;
 import rsal.device.Navigator.Progress;
 import rsal.device.Navigator.Result;
 import rsal.device.Navigator.Tolerance;
-import rsal.navigation.avoid.Controller.Target;
 import rsal.navigation.control.GoalChecker;
 import rsal.navigation.device.PathNavigator.Parts;
 import rsal.navigation.device.PathNavigator.Settings;
@@ -48,6 +47,7 @@ final class NavigationTask {
     private final ProgressMonitor progress;
     private final RecoveryList recoveries;
     private final RecoveryList lookingAround;
+    private final PathFollower follower;
     private final GivingWay givingWay;
     private Pose2d mapFromBase = Pose2d.ORIGIN;
     private boolean knewPlace; // else that is nothing but the map's origin
@@ -76,6 +76,7 @@ final class NavigationTask {
         this.progress = new ProgressMonitor(parts.plugins().newProgressChecker(), settings.patience(), started);
         this.recoveries = parts.plugins().newRecoveries();
         this.lookingAround = parts.plugins().newLostRecovery();
+        this.follower = new PathFollower(parts.avoidance(), settings.lookahead());
         this.givingWay = new GivingWay(parts, settings, scheduler);
     }
 
@@ -169,7 +170,7 @@ final class NavigationTask {
                 .advise(
                         now.now(),
                         mapFromBase,
-                        path.leftAlong(mapFromBase.position()).points());
+                        () -> path.leftAlong(mapFromBase.position()).points());
         if (!(advice instanceof TrafficAdvice.Proceed) && !recoveries.isRunning()) {
             return giveWay(advice, path, now);
         }
@@ -210,15 +211,12 @@ final class NavigationTask {
     }
 
     private Twist2d driveTo(Point2d target, Point2d end, Situation now) {
-        boolean last = target.distanceTo(end) < settings.lookahead() / 8;
-        Pose2d baseFromMap = mapFromBase.inverse();
+        boolean last = follower.isLast(target, end);
         var side = new KeepingRight(parts.toNotFree(), settings.bodyRadius());
         boolean keepsRight = now.meetsOthers() && !last;
-        List<Point2d> way = (keepsRight ? side.path(path().points()) : path().points())
-                .stream().map(baseFromMap::transform).toList();
+        List<Point2d> way = keepsRight ? side.path(path().points()) : path().points();
         Point2d place = keepsRight ? side.target(mapFromBase.position(), target) : target;
-        return parts.avoidance()
-                .drive(now.obstacles(), new Target(baseFromMap.transform(place), last, way), now.motion());
+        return follower.drive(now, place, last, way);
     }
 
     private Twist2d turnToGoal(Situation now) {

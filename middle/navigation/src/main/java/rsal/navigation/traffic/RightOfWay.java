@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -89,7 +90,7 @@ final class RightOfWay implements TrafficRule {
     }
 
     @Override
-    public TrafficAdvice advise(Instant at, Pose2d pose, List<Point2d> path) {
+    public TrafficAdvice advise(Instant at, Pose2d pose, Supplier<List<Point2d>> path) {
         now = at;
         mapFromBase = pose;
         Passages known = known();
@@ -98,7 +99,7 @@ final class RightOfWay implements TrafficRule {
             return new TrafficAdvice.Proceed();
         }
         neighbors.see(at, pose, known);
-        TrafficAdvice advice = decide(known, path);
+        TrafficAdvice advice = decide(known, path.get());
         talk();
         return advice;
     }

@@ -2,6 +2,7 @@ package rsal.navigation.traffic;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.function.Supplier;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 
@@ -10,7 +11,7 @@ public interface TrafficRule {
     /// One that never minds others.
     TrafficRule NONE = new TrafficRule() {
         @Override
-        public TrafficAdvice advise(Instant now, Pose2d mapFromBase, List<Point2d> mapFromPath) {
+        public TrafficAdvice advise(Instant now, Pose2d mapFromBase, Supplier<List<Point2d>> mapFromPath) {
             return new TrafficAdvice.Proceed();
         }
 
@@ -25,8 +26,8 @@ public interface TrafficRule {
 
     /// What to do now. Asked with each look of a robot that has a path, ten times a second.
     ///
-    /// @param mapFromPath corners of the path that is left, from the robot on
-    TrafficAdvice advise(Instant now, Pose2d mapFromBase, List<Point2d> mapFromPath);
+    /// @param mapFromPath corners of the path that is left, from the robot on; only computed when it is asked for
+    TrafficAdvice advise(Instant now, Pose2d mapFromBase, Supplier<List<Point2d>> mapFromPath);
 
     /// The robot has no path now, but is there, maybe in the way of others. Called as often.
     void stands(Instant now, Pose2d mapFromBase);

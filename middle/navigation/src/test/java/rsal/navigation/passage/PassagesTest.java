@@ -17,28 +17,6 @@ import rsal.navigation.grid.RandomMaps;
 import rsal.navigation.wavefront.CostMap;
 
 class PassagesTest {
-    /// Two rooms of 4 m × 3.6 m, with a door of 0.8 m in a wall of 0.2 m.
-    private static final OccupancyGrid DOOR = DrawnMaps.of(0.2, """
-            ###########################################
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #.........................................#
-            #.........................................#
-            #.........................................#
-            #.........................................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            ###########################################""");
-
     /// A corridor of 1.2 m with a corner between two rooms.
     private static final OccupancyGrid BENT = DrawnMaps.of(0.4, """
             ####################
@@ -76,7 +54,7 @@ class PassagesTest {
 
     @Test
     void aDoorOfASingleWallIsAPassageWithTwoGates() {
-        Passages found = DrawnMaps.passages(DOOR);
+        Passages found = DrawnMaps.passages(DrawnMaps.DOOR);
 
         assertThat(found.all()).hasSize(1);
         Passage door = found.all().getFirst();
@@ -165,7 +143,7 @@ class PassagesTest {
 
     @Test
     void aPathEntersAndLeavesADoor() {
-        Passages found = DrawnMaps.passages(DOOR);
+        Passages found = DrawnMaps.passages(DrawnMaps.DOOR);
         var path = List.of(new Point2d(1, 1.8), new Point2d(7, 1.8));
 
         List<Passages.Crossing> crossings = found.crossings(path);

@@ -9,7 +9,6 @@ import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.navigation.passage.DrawnMaps;
@@ -17,27 +16,7 @@ import rsal.navigation.passage.Passages;
 
 /// Points that drive as they are advised, over a radio that loses messages.
 class RightOfWayTest {
-    private static final OccupancyGrid DOOR = DrawnMaps.of(0.2, """
-            ###########################################
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #.........................................#
-            #.........................................#
-            #.........................................#
-            #.........................................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            #....................#....................#
-            ###########################################""");
-    private static final Passages PASSAGES = DrawnMaps.passages(DOOR);
+    private static final Passages PASSAGES = DrawnMaps.passages(DrawnMaps.DOOR);
     private static final Point2d MIDDLE = new Point2d(4.3, 1.8);
 
     /// One robot, a point that drives to and fro at 0.4 m/s.
@@ -72,7 +51,7 @@ class RightOfWayTest {
                 path.add(MIDDLE);
             }
             path.add(goal);
-            TrafficAdvice advice = rule.advise(now, new Pose2d(place.x(), place.y(), 0), path);
+            TrafficAdvice advice = rule.advise(now, new Pose2d(place.x(), place.y(), 0), () -> path);
             switch (advice) {
                 case TrafficAdvice.Proceed() -> move(path.get(1));
                 case TrafficAdvice.Halt() -> {}
