@@ -1,8 +1,5 @@
 package rsal.cli.bench;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -16,6 +13,7 @@ import rsal.agent.StrategyComparison;
 import rsal.cli.terminal.Exit;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.TextTable;
+import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
@@ -25,7 +23,7 @@ import rsal.settings.Location;
         description = "Compare patrol strategies on a .graph file of patrolling_sim, with ideal robots: points on the"
                 + " edges that do not disturb each other. The first quarter of the time does not count.")
 public final class PatrolCommand extends Subcommand {
-    private static final long LARGEST = 4_000_000; // bytes of a file
+    private static final int LARGEST = 4_000_000; // bytes of a file
 
     @Parameters(paramLabel = "FILE.graph", description = "Places and edges.")
     @SuppressWarnings("NullAway.Init") // picocli fills it in
@@ -109,17 +107,7 @@ public final class PatrolCommand extends Subcommand {
     private List<StrategyComparison.Row> rows(
             StrategyComparison comparison, List<String> keys, StrategyComparison.Team team) {
         var location = Location.of(file.toString());
-        String text;
-        try {
-            if (Files.size(file) > LARGEST) {
-                throw new InvalidSettings(location, "This file is too large for a graph.", "");
-            }
-            text = Files.readString(file);
-        } catch (NoSuchFileException _) {
-            throw new InvalidSettings(location, "There is no file '%s'.".formatted(file), "");
-        } catch (IOException e) {
-            throw new InvalidSettings(location, "This file can't be read: %s.".formatted(e), "");
-        }
+        String text = FileSource.disk().text(file.toString(), LARGEST, location);
         try {
             return comparison.compare(text, keys, team);
         } catch (IllegalArgumentException e) {
