@@ -1,11 +1,9 @@
 package rsal.navigation.amcl;
 
-/// A sequential test of a right pose against a wrong one by what becomes of beams there: A. Wald, Sequential Tests of
-/// Statistical Hypotheses (Annals of Mathematical Statistics 16, 1945), with bounds at which the sum is held, as E.
-/// Page
-/// does to find changes (Continuous Inspection Schemes, Biometrika 41, 1954): what was right for an hour may be wrong
-/// in
-/// a second.
+/// A sequential test of a right pose against a wrong one by what becomes of beams there: A. Wald, Sequential Tests
+/// of Statistical Hypotheses (Annals of Mathematical Statistics 16, 1945). The sum is held within bounds, as E. Page
+/// does to find changes (Continuous Inspection Schemes, Biometrika 41, 1954): what was right for an hour may be
+/// wrong in a second.
 abstract class PoseEvidence {
     private static final double MOST = 8;
     private static final double LEAST = -4;

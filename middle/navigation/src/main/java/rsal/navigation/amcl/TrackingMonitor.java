@@ -1,7 +1,7 @@
 package rsal.navigation.amcl;
 
-/// How likely a pose is right that was known once and has been followed by unbroken odometry since: a
-/// right pose in a place that differs from its map against a wrong pose.
+/// How likely a pose is right that was known once and has been followed by unbroken odometry since: a right
+/// pose in a place that differs from its map against a wrong pose.
 ///
 /// A pose that was found on the map must fit it; one that was followed may be in a room that has changed. What beams do
 /// at both was counted in the cases of `rsal bench navigation --only amcl.honest`: with a third of the furniture moved,
