@@ -350,11 +350,7 @@ public final class Amcl {
         return lost
                 ? updatesSinceSearch >= searchAfter
                 : (misfits.isDoubtful() && updatesSinceSearch >= MOST_UPDATES_BETWEEN_SEARCHES)
-                        || (isDoubtful() && updatesSinceSearch >= 2 * MOST_UPDATES_BETWEEN_SEARCHES);
-    }
-
-    private boolean isDoubtful() {
-        return monitor.explained() < Challengers.DOUBTFUL;
+                        || (monitor.isDoubtful() && updatesSinceSearch >= 2 * MOST_UPDATES_BETWEEN_SEARCHES);
     }
 
     private void challenge(Beams beams, Pose2d pose) {
@@ -431,7 +427,8 @@ public final class Amcl {
         List<Hypothesis> hypotheses = tracking ? challengers.join(clusters) : rivals.join(clusters, NEAR, NEARLY);
         double share = hypotheses.getFirst().weight();
         double likely = Math.clamp(share, 0, 1) * present().probability() * Math.pow(BLIND_TRUST, blind);
-        boolean plausible = tracking ? monitor.isPlausible() && !isDoubtful() : trusted && evidence.isPlausible();
+        boolean plausible =
+                tracking ? monitor.isPlausible() && !monitor.isDoubtful() : trusted && evidence.isPlausible();
         boolean sure = plausible
                 && blind < BLIND_AND_SURE
                 && share >= SURE

@@ -50,4 +50,9 @@ final class TrackingMonitor extends PoseEvidence {
     double explained() {
         return explained;
     }
+
+    /// Whether the map explains so little that the robot may be elsewhere.
+    boolean isDoubtful() {
+        return explained < Challengers.DOUBTFUL;
+    }
 }
