@@ -60,6 +60,13 @@ class LateRobotTest {
     }
 
     @Test
+    void aDeviceWithoutAConnectionFromTheBeginningIsAnEvent() {
+        LiveRun run = LiveRun.start(plan(SCENARIO.replace("host: late", "host: broken")));
+        Runs.result(run);
+        assertThat(events(run)).contains("hunter-1/base: is lost: No connection.");
+    }
+
+    @Test
     void theTimeOfARunBeginsWhenItsRobotsAreThere() {
         LiveRun run = LiveRun.start(plan(SCENARIO.replace("host: late", "host: slow")));
         LiveRun same = LiveRun.start(plan(SCENARIO.replace("host: late", "host: at-once")));

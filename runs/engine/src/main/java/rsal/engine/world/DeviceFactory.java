@@ -12,6 +12,7 @@ import java.util.function.Function;
 import rsal.data.Pose2d;
 import rsal.device.Device;
 import rsal.device.DriveBase;
+import rsal.device.Health;
 import rsal.engine.arbitration.CommandArbiter;
 import rsal.engine.arbitration.Teleoperation;
 import rsal.engine.communication.RobotBreaker;
@@ -136,7 +137,11 @@ public final class DeviceFactory implements AutoCloseable {
         return made;
     }
 
+    /// A device that has no connection from the beginning is an event, too.
     private void watch(Device device) {
+        if (device.health() instanceof Health.Lost lost) {
+            eventLog.event("health", device.info().id(), Words.of(lost));
+        }
         device.onHealth(health -> {
             if (!closed && team.has(device.info().robot())) {
                 eventLog.event("health", device.info().id(), Words.of(health));

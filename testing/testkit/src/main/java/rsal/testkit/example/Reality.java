@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import rsal.data.OccupancyGrid;
 import rsal.device.Device;
 import rsal.device.DriveBase;
+import rsal.device.Health;
 import rsal.device.RangeSensor;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
@@ -19,6 +20,7 @@ import rsal.scene.Scene;
 import rsal.settings.Parameter;
 import rsal.system.RobotSystem;
 import rsal.system.RobotSystemProvider;
+import rsal.testkit.fake.FakeDriveBase;
 import rsal.testkit.fake.FakeProvider;
 import rsal.testkit.fake.FakeSystem;
 import rsal.time.LockstepScheduler;
@@ -71,7 +73,7 @@ public class Reality implements RobotSystemProvider {
     /// @param host `away` can't be reached, `empty` has no robots, `silent` is never done with looking for
     ///     them, `slow` is after 3 s, `stuck` can't let go of them, `watched` knows where they are, and of
     ///     `late` the last one joins after 3 s, of `late-off` with its motors off, of `blind` the last one
-    ///     measures no ranges; all others are fine
+    ///     measures no ranges, of `broken` the last one's base has no connection; all others are fine
     private record Robots(FakeSystem fakes, String host, Scheduler scheduler) implements RobotSystem {
         @Override
         public CompletionStage<List<Robot>> discover() {
@@ -82,6 +84,7 @@ public class Reality implements RobotSystemProvider {
                 case "slow" -> slowly();
                 case "late", "late-off" -> fakes.discover().thenApply(this::withoutTheLast);
                 case "blind" -> fakes.discover().thenApply(Robots::withBlindLast);
+                case "broken" -> fakes.discover().thenApply(Robots::withBrokenLast);
                 default -> fakes.discover();
             };
         }
@@ -101,6 +104,11 @@ public class Reality implements RobotSystemProvider {
                             all.stream().limit(all.size() - 1),
                             Stream.of(new Robot(last.id(), last.role(), last.model(), last.marker(), others)))
                     .toList();
+        }
+
+        private static List<Robot> withBrokenLast(List<Robot> all) {
+            ((FakeDriveBase) all.getLast().require(DriveBase.class)).turn(new Health.Lost("No connection."));
+            return all;
         }
 
         private List<Robot> withoutTheLast(List<Robot> all) {
