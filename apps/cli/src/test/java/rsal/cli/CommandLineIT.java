@@ -1202,6 +1202,11 @@ class CommandLineIT {
         assertThat(Files.readString(folder.resolve("hall.bridge.yaml"))).contains("/guard/scan");
         assertThat(rsal.run("convert", "hall.world.yaml", "hall.sdf").err()).contains("--force");
 
+        Ended same = rsal.run("convert", "hall.world.yaml", "--sdf", "--force", "--json");
+        assertThat(JsonMapper.shared().readTree(same.out()).get("files").get(0).stringValue())
+                .isEqualTo("hall.sdf");
+        assertThat(rsal.run("convert", "hall.sdf", "--sdf").err()).contains("'hall.sdf' is SDF already");
+
         Ended again = rsal.run("convert", "hall.sdf", "again.world.yaml");
         assertThat(again.code()).as(again.err()).isZero();
         assertThat(again.out()).contains("again.world.yaml: 1 thing, 1 robot");

@@ -2,6 +2,7 @@ package rsal.cli.log;
 
 import java.util.Optional;
 import java.util.ServiceLoader;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -23,6 +24,10 @@ import rsal.world.yaml.YamlFormat;
                 + " parts for its lasers. Or convert the log of a robot: a bag of ROS 2 to a log of"
                 + " CARMEN, or the reverse.")
 public final class ConvertCommand extends Subcommand {
+    private static final String SDF = ".sdf";
+    private static final Pattern WITHOUT_SUFFIX = // of a file, or the configuration of a scenario
+            Pattern.compile("(\\.world\\.yaml|\\.yaml|\\.world|:[\\w-]+)$");
+
     @Parameters(
             index = "0",
             converter = FileName.class,
@@ -41,6 +46,11 @@ public final class ConvertCommand extends Subcommand {
                     + " for worlds and robots in YAML, a file in the folder of the input file.")
     private @Nullable String out;
 
+    @Option(
+            names = "--sdf",
+            description = "For Gazebo: write an .sdf file with the name of the input file, if OUT does not name one.")
+    private boolean sdf;
+
     @Option(names = "--force", description = "Overwrite existing files.")
     private boolean force;
 
@@ -52,7 +62,7 @@ public final class ConvertCommand extends Subcommand {
 
     @Override
     protected int run() {
-        Optional<String> target = Optional.ofNullable(out);
+        Optional<String> target = target();
         Conversion conversion = ServiceLoader.load(Conversion.class).stream()
                 .map(ServiceLoader.Provider::get)
                 .filter(each -> each.accepts(file, target))
@@ -60,6 +70,15 @@ public final class ConvertCommand extends Subcommand {
                 .orElseThrow(() -> unknown());
         print(conversion.convert(new Conversion.Request(file, target, force, seed, spec.commandLine())));
         return Exit.SUCCESS;
+    }
+
+    private Optional<String> target() {
+        if (!sdf) {
+            return Optional.ofNullable(out);
+        }
+        check(!file.endsWith(SDF), "'%s' is SDF already. Leave out --sdf to convert it to YAML.".formatted(file));
+        check(out == null || out.endsWith(SDF), "--sdf writes a file such as OUT.sdf, not '%s'.".formatted(out));
+        return Optional.of(out == null ? WITHOUT_SUFFIX.matcher(file).replaceFirst("") + SDF : out);
     }
 
     private InvalidSettings unknown() {

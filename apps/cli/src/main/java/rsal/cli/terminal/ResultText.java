@@ -26,7 +26,9 @@ record ResultText(RunPlan plan, RunResult result) {
                         "time",
                         String.format(
                                 Locale.ROOT,
-                                "%.1f s simulated in %.1f s",
+                                plan.clock() == RunPlan.Clock.SIMULATED
+                                        ? "%.1f s simulated in %.1f s"
+                                        : "%.1f s, with start and end %.1f s",
                                 result.simulatedSeconds(),
                                 result.wallSeconds()));
         result.failed().forEach((agent, why) -> table.row(agent, "failed: " + why));
