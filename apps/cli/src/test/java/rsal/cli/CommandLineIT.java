@@ -1203,6 +1203,7 @@ class CommandLineIT {
         assertThat(rsal.run("convert", "hall.world.yaml", "hall.sdf").err()).contains("--force");
 
         Ended same = rsal.run("convert", "hall.world.yaml", "--sdf", "--force", "--json");
+        assertThat(same.code()).as(same.err() + same.out()).isZero();
         assertThat(JsonMapper.shared().readTree(same.out()).get("files").get(0).stringValue())
                 .isEqualTo("hall.sdf");
         assertThat(rsal.run("convert", "hall.sdf", "--sdf").err()).contains("'hall.sdf' is SDF already");
