@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import rsal.data.Pose2d;
 import rsal.data.Solid;
 import rsal.robot.RobotModel;
@@ -30,6 +31,10 @@ public final class RobotModels {
     private static final int MOST_BYTES = 1_000_000;
     private static final FileSource MODELS = FileSource.resources(RobotModels.class, "/rsal/model/models/");
     private static final FileSource PARTS = FileSource.resources(RobotModels.class, "/rsal/model/parts/");
+    private static final Map<File, Value.Mapping> BUILT_IN = new ConcurrentHashMap<>(); // as far as they were read
+
+    /// @param what a robot model or a part
+    private record File(String what, String name) {}
 
     private final FileSource files;
     private final Map<String, Value.Mapping> ownParts;
@@ -188,7 +193,7 @@ public final class RobotModels {
 
     private Value.Mapping find(String what, String name, List<String> known, FileSource own, Location askedAt) {
         if (known.contains(name)) {
-            return Yaml.read(own, name + ".yaml", askedAt);
+            return BUILT_IN.computeIfAbsent(new File(what, name), _ -> Yaml.read(own, name + ".yaml", askedAt));
         }
         if (name.endsWith(".yaml") || name.endsWith(".yml")) {
             return Yaml.read(files, name, askedAt);

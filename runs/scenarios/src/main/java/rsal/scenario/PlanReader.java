@@ -29,6 +29,7 @@ import rsal.scenario.condition.Grammar;
 import rsal.scenario.fault.PlannedFault;
 import rsal.scenario.installed.Catalog;
 import rsal.scenario.installed.Installation;
+import rsal.scenario.installed.MapFacts;
 import rsal.scenario.installed.PluginReader;
 import rsal.scene.Entity;
 import rsal.scene.Scene;
@@ -49,6 +50,7 @@ final class PlanReader {
     private final RunOptions options;
     private final Catalog catalog;
     private final KnownMaps maps;
+    private final MapFacts mapFacts;
     private final Problems problems = new Problems();
 
     PlanReader(Scenario scenario, RunOptions options, Installation installation) {
@@ -56,6 +58,7 @@ final class PlanReader {
         this.options = options;
         this.catalog = installation.catalog();
         this.maps = installation.maps();
+        this.mapFacts = installation.mapFacts();
     }
 
     /// The run's own settings.
@@ -186,7 +189,8 @@ final class PlanReader {
 
     private Surroundings surroundings(Section root, Clock clock, Seeds seeds) {
         Section worldSection = root.section("world");
-        var worldReader = new WorldReader(catalog, new Maps(scenario.files(), maps), scenario.files(), seeds, problems);
+        var worldReader =
+                new WorldReader(catalog, new Maps(scenario.files(), maps), mapFacts, scenario.files(), seeds, problems);
         World world = worldReader.read(worldSection);
         Optional<Duration> worldStep = world.scene().flatMap(Scene::step);
         var systems = new SystemReader(root.section(SystemReader.KEY), catalog, clock, seeds, worldStep);
@@ -194,7 +198,7 @@ final class PlanReader {
         Optional<Mas> mas = mas(root.section("mas"), clock);
 
         Optional<OccupancyGrid> map = world.scene().map(Scene::map);
-        var robotReader = new RobotReader(catalog, systems, scenario.files(), map, seeds, problems);
+        var robotReader = new RobotReader(catalog, systems, scenario.files(), map, mapFacts, seeds, problems);
         List<RobotSpec> brought = world.scene().map(Scene::robots).orElse(List.of());
         List<Role> roles = new ArrayList<>();
         if (world.scene().isPresent() && mrs.isPresent()) {
@@ -209,7 +213,8 @@ final class PlanReader {
                 .flatMap(scene -> scene.things().stream())
                 .map(Entity::name)
                 .collect(Collectors.toSet());
-        List<PlannedThings> things = new PlannedThingReader(names, map, inWorld, robotReader.taken(), seeds, problems)
+        List<PlannedThings> things = new PlannedThingReader(
+                        names, map, mapFacts, inWorld, robotReader.taken(), seeds, problems)
                 .read(root.section("things"));
         var checker = new RobotChecker(roles, scenario.location(), problems);
         checker.checkMarkers(things, root.locationOf("things"));

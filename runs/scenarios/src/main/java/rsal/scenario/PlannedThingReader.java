@@ -20,6 +20,7 @@ import rsal.scenario.PlannedThings.Depot;
 import rsal.scenario.PlannedThings.PlannedThing;
 import rsal.scenario.PlannedThings.Reach;
 import rsal.scenario.RobotReader.Role;
+import rsal.scenario.installed.MapFacts;
 import rsal.settings.Problems;
 import rsal.settings.Section;
 import rsal.settings.Suggestion;
@@ -31,6 +32,7 @@ final class PlannedThingReader {
 
     private final RobotNames robots;
     private final Optional<OccupancyGrid> map;
+    private final MapFacts mapFacts;
     private final Set<String> known; // names of what else there is
     private final List<Pose2d> taken;
     private final Seeds seeds;
@@ -41,12 +43,14 @@ final class PlannedThingReader {
     PlannedThingReader(
             RobotNames robots,
             Optional<OccupancyGrid> map,
+            MapFacts mapFacts,
             Set<String> known,
             List<Pose2d> taken,
             Seeds seeds,
             Problems problems) {
         this.robots = robots;
         this.map = map;
+        this.mapFacts = mapFacts;
         this.known = new HashSet<>(known);
         this.taken = new ArrayList<>(taken);
         this.seeds = seeds;
@@ -116,7 +120,7 @@ final class PlannedThingReader {
             return start.fixed();
         }
         Start.Free free = start.free().get();
-        FreeSpace space = free.on(map.orElseThrow());
+        FreeSpace space = free.on(map.orElseThrow(), mapFacts);
         var poses = new ArrayList<Pose2d>();
         for (String name : names) {
             Optional<Pose2d> pose = free.choose(

@@ -21,6 +21,7 @@ import rsal.scenario.RunPlan.Mrs;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.installed.Catalog;
+import rsal.scenario.installed.MapFacts;
 import rsal.settings.ColorNames;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
@@ -39,6 +40,7 @@ final class RobotReader {
     private final SystemReader systems;
     private final DeviceSelector outfitter;
     private final Optional<OccupancyGrid> map;
+    private final MapFacts mapFacts;
     private final Seeds seeds;
     private final Problems problems;
     private final List<Pose2d> taken = new ArrayList<>();
@@ -48,12 +50,14 @@ final class RobotReader {
             SystemReader systems,
             FileSource files,
             Optional<OccupancyGrid> map,
+            MapFacts mapFacts,
             Seeds seeds,
             Problems problems) {
         this.systems = systems;
         this.devices = new DeviceReader(catalog, new RobotModels(files), problems);
         this.outfitter = new DeviceSelector(catalog, seeds);
         this.map = map;
+        this.mapFacts = mapFacts;
         this.seeds = seeds;
         this.problems = problems;
     }
@@ -302,7 +306,7 @@ final class RobotReader {
         boolean complete = readable;
         List<Pose2d> fixed = draft.start.fixed();
         Start.Free free = draft.start.free().orElse(null);
-        FreeSpace space = free == null || map.isEmpty() ? null : free.on(map.get());
+        FreeSpace space = free == null || map.isEmpty() ? null : free.on(map.get(), mapFacts);
         for (int i = 0; i < draft.ids.size() && complete; i++) {
             String id = draft.ids.get(i);
             Optional<Pose2d> mapFromBase = fixed.isEmpty() ? Optional.empty() : Optional.of(fixed.get(i));

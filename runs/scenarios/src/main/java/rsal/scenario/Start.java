@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import rsal.data.FreeSpace;
 import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
+import rsal.scenario.installed.MapFacts;
 import rsal.settings.Section;
 import rsal.settings.Value;
 
@@ -31,8 +32,8 @@ record Start(List<Pose2d> fixed, Optional<Free> free) {
     /// @param within empty for anywhere
     record Free(double clearance, double passage, Optional<Place.Rectangle> within) {
         /// Where there is room on a map.
-        FreeSpace on(OccupancyGrid map) {
-            return new FreeSpace(map, clearance, passage);
+        FreeSpace on(OccupancyGrid map, MapFacts facts) {
+            return facts.freeSpace(map, clearance, passage);
         }
 
         /// A place that suits, at least twice the clearance from all others; empty when none was found.

@@ -17,6 +17,7 @@ import rsal.scenario.RunPlan.Mrs;
 import rsal.scenario.RunPlan.PlannedDevice;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.installed.Catalog;
+import rsal.scenario.installed.MapFacts;
 import rsal.scene.RobotService;
 import rsal.scene.Scene;
 import rsal.scene.Touch;
@@ -34,14 +35,16 @@ final class WorldReader {
 
     private final Catalog catalog;
     private final Maps maps;
+    private final MapFacts mapFacts;
     private final DeviceSelector outfitter;
     private final FileSource files;
     private final Seeds seeds;
     private final Problems problems;
 
-    WorldReader(Catalog catalog, Maps maps, FileSource files, Seeds seeds, Problems problems) {
+    WorldReader(Catalog catalog, Maps maps, MapFacts mapFacts, FileSource files, Seeds seeds, Problems problems) {
         this.catalog = catalog;
         this.maps = maps;
+        this.mapFacts = mapFacts;
         this.outfitter = new DeviceSelector(catalog, seeds);
         this.files = files;
         this.seeds = seeds;
@@ -81,8 +84,8 @@ final class WorldReader {
         }
     }
 
-    private static Scene mapped(Maps.Found map) {
-        return Scene.of(map.grid(), map.warnings());
+    private Scene mapped(Maps.Found map) {
+        return mapFacts.scene(map.grid(), map.warnings());
     }
 
     private static Optional<Touch> touch(Section world) {

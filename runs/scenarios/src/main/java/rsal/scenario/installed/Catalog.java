@@ -55,27 +55,6 @@ public record Catalog(
                 Maps.builtIn());
     }
 
-    /// What is installed now, with the same robot systems and device drivers as before: they keep what they computed of
-    /// a map for the next run on it.
-    Catalog again() {
-        Catalog now = installed();
-        return now.systems.keySet().equals(systems.keySet())
-                        && now.drivers.keySet().equals(drivers.keySet())
-                ? new Catalog(
-                        systems,
-                        now.hosts,
-                        drivers,
-                        now.agents,
-                        now.languages,
-                        now.metrics,
-                        now.plugins,
-                        now.formats,
-                        now.models,
-                        now.parts,
-                        now.maps)
-                : now;
-    }
-
     /// The language of a plugin's file; empty for a name that is no such file's.
     Optional<PluginLanguage> pluginLanguage(String name) {
         return plugins.values().stream()

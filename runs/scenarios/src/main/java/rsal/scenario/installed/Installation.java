@@ -1,5 +1,6 @@
 package rsal.scenario.installed;
 
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import rsal.map.KnownMaps;
 
@@ -8,17 +9,28 @@ import rsal.map.KnownMaps;
 /// it is computed for the first run alone. No run comes out otherwise for it. Any thread may ask.
 public final class Installation {
     private final KnownMaps maps = new KnownMaps();
-    private @Nullable Catalog last;
+    private final MapFacts mapFacts = new MapFacts();
+    private @Nullable Catalog catalog;
+    private @Nullable ClassLoader loader; // by which it was found
 
     public KnownMaps maps() {
         return maps;
     }
 
-    /// What is installed now.
+    /// What follows from these maps.
+    public MapFacts mapFacts() {
+        return mapFacts;
+    }
+
+    /// What is installed for the thread that asks, as its class loader finds it.
     public synchronized Catalog catalog() {
-        Catalog before = last;
-        Catalog now = before == null ? Catalog.installed() : before.again();
-        last = now;
-        return now;
+        ClassLoader asking = Thread.currentThread().getContextClassLoader();
+        Catalog known = catalog;
+        if (known == null || !Objects.equals(asking, loader)) {
+            known = Catalog.installed();
+            catalog = known;
+            loader = asking;
+        }
+        return known;
     }
 }
