@@ -15,6 +15,7 @@ import java.util.stream.Collectors;
 import rsal.agent.bdi.Mind;
 import rsal.agent.platform.AgentTurns;
 import rsal.data.Pose2d;
+import rsal.device.SimulationControl;
 import rsal.engine.agent.Agents;
 import rsal.engine.agent.TypedAgent;
 import rsal.engine.communication.Faults;
@@ -468,6 +469,16 @@ final class RunAssembly implements AutoCloseable {
     /// Who heard what so far, where communication is limited.
     List<Reception> hearings() {
         return traffic.hearings();
+    }
+
+    /// Those that are there, by id.
+    Map<String, Robot> robots() {
+        return team.robots();
+    }
+
+    /// The truth of the world; empty when no robot is simulated.
+    Optional<SimulationControl> simulation() {
+        return systems.simulation();
     }
 
     /// All robots that are or were there.

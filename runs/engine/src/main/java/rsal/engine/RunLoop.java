@@ -10,8 +10,6 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Queue;
-import java.util.Set;
-import java.util.TreeSet;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -24,8 +22,6 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.platform.AgentTurns;
 import rsal.engine.communication.Traffic;
@@ -60,10 +56,7 @@ final class RunLoop {
     private static final long LONG_REST = 10_000_000; // [ns], before robots are there and while nobody waits
     private static final Answer ENDED = new Answer.Refused("The run has ended.");
 
-    private static final String STOPPED = "stopped";
     private static final String BROKEN = "broken";
-    private static final String TIMEOUT = RunPlan.Outcome.TIMEOUT.word();
-    private static final String FAILURE = RunPlan.Outcome.FAILURE.word();
 
     private final RunPlan plan;
     private final String name = "run-" + RUNS.incrementAndGet();
@@ -218,7 +211,7 @@ final class RunLoop {
     }
 
     void stop() {
-        command(() -> end(STOPPED));
+        command(() -> end(RunEnding.STOPPED));
     }
 
     void remember(boolean wanted) {
@@ -391,16 +384,11 @@ final class RunLoop {
         if (outcome != null) {
             return;
         }
-        Set<String> failed = assembly == null || plan.toleratesFailedAgents() || how.equals(STOPPED)
-                ? Set.of()
-                : Stream.of(
-                                assembly.failedAgents().keySet(),
-                                assembly.unhandledGoals().keySet())
-                        .flatMap(Set::stream)
-                        .collect(Collectors.toCollection(TreeSet::new));
-        outcome = failed.isEmpty() || how.equals(TIMEOUT) ? how : FAILURE;
-        String why = failed.isEmpty() ? "" : "; failed: " + String.join(", ", failed);
-        eventLog.event("run", "", "ends: " + outcome + why);
+        RunEnding ending = assembly == null
+                ? RunEnding.of(how)
+                : RunEnding.of(how, plan, assembly, !how.equals(RunEnding.STOPPED));
+        outcome = ending.outcome();
+        eventLog.event("run", "", ending.words());
     }
 
     private void finish() {

@@ -137,6 +137,15 @@ public record RunPlan(
 
     /// The same with nobody who drives its robots, and nothing that ends it: for others to drive them.
     public RunPlan unmanned() {
+        return with(List.of(), Optional.empty(), List.of());
+    }
+
+    /// The same with other agents.
+    public RunPlan with(List<PlannedAgent> others) {
+        return with(others, with, stops);
+    }
+
+    private RunPlan with(List<PlannedAgent> others, Optional<String> joined, List<Stop> ends) {
         return new RunPlan(
                 scenario,
                 configuration,
@@ -151,13 +160,13 @@ public record RunPlan(
                 robots,
                 things,
                 places,
-                List.of(),
-                Optional.empty(),
+                others,
+                joined,
                 communication,
                 faults,
                 speed,
                 step,
-                List.of(),
+                ends,
                 toleratesFailedAgents,
                 metricTypes,
                 metrics);
