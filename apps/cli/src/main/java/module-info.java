@@ -14,8 +14,10 @@ module rsal.cli {
     requires jdk.management; // memory of the machine
     requires org.slf4j;
     requires rsal.bench;
+    requires rsal.environments;
     requires rsal.experiments;
     requires rsal.foxglove;
+    requires rsal.frames;
     requires rsal.navigation;
     requires rsal.recordings;
     requires rsal.engine;

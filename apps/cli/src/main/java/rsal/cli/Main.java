@@ -36,6 +36,7 @@ import rsal.cli.page.DoctorCommand;
 import rsal.cli.page.LogsCommand;
 import rsal.cli.page.TellCommand;
 import rsal.cli.run.BridgeCommand;
+import rsal.cli.run.EnvironmentsCommand;
 import rsal.cli.run.ReplayCommand;
 import rsal.cli.run.RunCommand;
 import rsal.cli.run.ServeCommand;
@@ -108,6 +109,7 @@ public final class Main implements Runnable {
             TestCommand.class,
             DocsCommand.class,
             DistCommand.class,
+            EnvironmentsCommand.class,
             HelpCommand.class);
 
     private static final Pattern ONE_OF = Pattern.compile(

@@ -1,0 +1,28 @@
+"""Scenarios of RSAL as environments in which robots learn: for PettingZoo, Gymnasium, and many worlds at once.
+
+Robots of one role learn, all other robots and agents take part as the scenario says. A child process in Java simulates
+all worlds of an environment; nothing of it is in this process. The same seed and the same actions give the same bytes.
+"""
+
+from __future__ import annotations
+
+from rsal.env._parallel import ParallelScenario, parallel_env
+from rsal.env._single import SingleScenario, single_env
+from rsal.env._spec import Act, Observe
+from rsal.env._vector import VectorScenario, make_vec
+from rsal.env._view import Reward, View
+from rsal.env._worlds import RsalCrashed
+
+__all__ = [
+    "Act",
+    "Observe",
+    "ParallelScenario",
+    "Reward",
+    "RsalCrashed",
+    "SingleScenario",
+    "VectorScenario",
+    "View",
+    "make_vec",
+    "parallel_env",
+    "single_env",
+]

@@ -1,0 +1,160 @@
+"""A scenario as an environment of PettingZoo."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar
+
+import numpy as np
+from gymnasium import spaces
+from pettingzoo import ParallelEnv
+
+from rsal.env._drawing import Drawing, Picture
+from rsal.env._episodes import Episodes
+from rsal.env._spaces import action_space, observation_space
+from rsal.env._spec import Spec
+from rsal.env._view import Reward
+from rsal.env._worlds import Floats
+from rsal.launch import RsalError
+
+
+class ParallelScenario(ParallelEnv[str, Floats, Any]):
+    """Robots of one role learn together. All learners act in each step, until the episode ends for all of them."""
+
+    metadata: ClassVar[dict[str, Any]] = {"render_modes": ["rgb_array"], "is_parallelizable": True, "render_fps": 10}
+
+    def __init__(
+        self,
+        spec: Spec,
+        *,
+        reward: Reward | str | None = None,
+        max_steps: int | None = None,
+        render_mode: str | None = None,
+    ) -> None:
+        if render_mode not in (None, "rgb_array"):
+            raise RsalError(f"render_mode must be 'rgb_array' or None, not '{render_mode}'.")
+        self._made = (spec, reward, max_steps, render_mode)
+        self._episodes = Episodes(spec, 1, 1, reward, max_steps)
+        self.metadata = {**type(self).metadata, "name": f"rsal/{spec.scenario}_v0"}  # type: ignore[misc]
+        self.render_mode = render_mode
+        self.agents: list[str] = []
+        self._drawing: Drawing | None = None
+        self._spaces: dict[str, tuple[spaces.Space[Any], spaces.Space[Any]]] = {}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _made, self._made
+
+    @property
+    def possible_agents(self) -> list[str]:  # type: ignore[override]
+        """Ids of the robots that learn."""
+        return list(self._episodes.layout.learners)
+
+    def _space(self, agent: str) -> tuple[spaces.Space[Any], spaces.Space[Any]]:
+        if not self._spaces:
+            layout = self._episodes.layout
+            self._spaces = {each: (observation_space(layout), action_space(layout)) for each in layout.learners}
+        return self._spaces[agent]
+
+    def observation_space(self, agent: str) -> spaces.Space[Any]:
+        """Return the space of observations, always the same object."""
+        return self._space(agent)[0]
+
+    def action_space(self, agent: str) -> spaces.Space[Any]:
+        """Return the space of actions, always the same object."""
+        return self._space(agent)[1]
+
+    @property
+    def fields(self) -> tuple[str, ...]:
+        """What each number of an observation is, with its unit."""
+        return self._episodes.layout.fields
+
+    def reset(
+        self, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[dict[str, Floats], dict[str, dict[str, Any]]]:
+        """Begin an episode. Without a seed, it gets the next one of the generator that the last seed has set."""
+        observed = self._episodes.reset(None if seed is None else [seed])
+        self.agents = self.possible_agents
+        return self._by_agent(observed), {agent: {} for agent in self.agents}
+
+    def _by_agent(self, observed: Floats) -> dict[str, Floats]:
+        own = observed[0].copy()
+        return dict(zip(self.agents, own, strict=True))
+
+    def step(
+        self, actions: dict[str, Any]
+    ) -> tuple[
+        dict[str, Floats], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]
+    ]:
+        """Act, and simulate the time of a step."""
+        agents = self.agents
+        if not agents:
+            raise RsalError("The episode is over. Call reset() first.")
+        missing = [agent for agent in agents if agent not in actions]
+        if missing:
+            raise RsalError(f"There is no action of {', '.join(repr(agent) for agent in missing)}.")
+        given = np.array([actions[agent] for agent in agents], np.float32).reshape(1, len(agents), -1)
+        done = self._episodes.step(given)
+        observations = self._by_agent(done.observations)
+        terminated, truncated = bool(done.terminated[0]), bool(done.truncated[0])
+        info = done.endings.get(0, {})
+        result = (
+            observations,
+            {agent: float(value) for agent, value in zip(agents, done.rewards[0], strict=True)},
+            dict.fromkeys(agents, terminated),
+            dict.fromkeys(agents, truncated),
+            {agent: dict(info) for agent in agents},
+        )
+        if terminated or truncated:
+            self.agents = []
+        return result
+
+    def state(self) -> Floats:
+        """Return the true poses of all robots, one after the other: x, y [m] and heading [rad] in the map."""
+        state: Floats = self._episodes.worlds.poses[0].ravel().copy()
+        return state
+
+    def render(self) -> Picture | None:
+        """Return a picture of the map and the robots, if the render mode is ``rgb_array``."""
+        if self.render_mode is None:
+            return None
+        worlds = self._episodes.worlds
+        poses = worlds.poses[0].copy()
+        if self._drawing is None:
+            self._drawing = Drawing(worlds)
+        return self._drawing.draw(poses)
+
+    def close(self) -> None:
+        """End the process that simulates."""
+        self._episodes.close()
+        self.agents = []
+
+
+def _made(spec: Spec, reward: Reward | str | None, max_steps: int | None, render_mode: str | None) -> ParallelScenario:
+    return ParallelScenario(spec, reward=reward, max_steps=max_steps, render_mode=render_mode)
+
+
+def parallel_env(
+    scenario: str,
+    *,
+    learners: str,
+    observe: Sequence[str | Mapping[str, Any]] | None = None,
+    act: str | Mapping[str, Any] | None = None,
+    reward: Reward | str | None = None,
+    steps: int = 1,
+    max_steps: int | None = None,
+    arguments: Mapping[str, Any] | None = None,
+    render_mode: str | None = None,
+) -> ParallelScenario:
+    """Make a scenario an environment of PettingZoo.
+
+    :param scenario: its name or file, with a configuration: ``hunt-and-prey:advanced``
+    :param learners: the role of the robots that learn; their agents are replaced
+    :param observe: what they observe (:class:`Observe`); ranges and velocity by default
+    :param act: how they act (:class:`Act`); velocities by default
+    :param reward: a function of a :class:`View`, or the name of a metric whose change is the reward; 0 by default
+    :param steps: steps of the scenario in a step of the environment
+    :param max_steps: steps of the environment after which an episode is truncated
+    :param arguments: arguments of the scenario, for a curriculum
+    """
+    spec = Spec.of(scenario, learners, observe, act, steps, arguments)
+    return ParallelScenario(spec, reward=reward, max_steps=max_steps, render_mode=render_mode)

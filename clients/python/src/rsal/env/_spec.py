@@ -1,0 +1,124 @@
+"""What an environment is to be."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+Words = dict[str, Any]
+
+
+class Observe:
+    """What learners observe: each of these gives some numbers of an observation."""
+
+    @staticmethod
+    def ranges(*, sectors: int = 36, max: float = 8.0, device: str = "") -> Words:
+        """Observe ranges of a laser or of sonars [m]: of each sector the least one, from right to left.
+
+        Nothing in reach, and no reading, are ``max``. ``device`` is the name of the sensor; the first one by default.
+        """
+        return {"type": "ranges", "sectors": sectors, "max": max, "device": device}
+
+    @staticmethod
+    def pose(*, source: str = "localizer", max: float = 100.0) -> Words:
+        """Observe the position in the map [m], and cosine and sine of the heading: by the ``localizer`` or the ``truth``."""
+        return {"type": "pose", "from": source, "max": max}
+
+    @staticmethod
+    def velocity() -> Words:
+        """Observe the measured velocity: forward and left [m/s], counter-clockwise [rad/s]."""
+        return {"type": "velocity"}
+
+    @staticmethod
+    def nearest(role: str = "", *, count: int = 1, max: float = 100.0) -> Words:
+        """Observe where the nearest other robots are, by the truth: x and y in the base frame [m], and 1 if it exists."""
+        return {"type": "nearest", "role": role, "count": count, "max": max}
+
+    @staticmethod
+    def place(x: float, y: float, *, max: float = 100.0) -> Words:
+        """Observe where a place of the map is, by the truth: x and y in the base frame [m]."""
+        return {"type": "place", "x": x, "y": y, "max": max}
+
+
+class Act:
+    """How learners act: one of these."""
+
+    @staticmethod
+    def velocity(*, forward: float = 0.5, backward: float = 0.0, turn: float = 1.5) -> Words:
+        """Drive at a velocity: forward [m/s] and turn [rad/s], with these limits."""
+        return {"type": "velocity", "forward": forward, "backward": backward, "turn": turn}
+
+    @staticmethod
+    def discrete(*, speed: float = 0.4, turn: float = 1.0) -> Words:
+        """Choose: stand (0), forward (1), turn left (2), turn right (3), backward (4); speed [m/s] and turn [rad/s]."""
+        return {"type": "discrete", "speed": speed, "turn": turn}
+
+    @staticmethod
+    def goal(*, reach: float = 3.0) -> Words:
+        """Send the robot's navigator to a position in the base frame [m], at most ``reach`` along each axis."""
+        return {"type": "goal", "reach": reach}
+
+
+def _words(given: str | Mapping[str, Any]) -> Words:
+    return {"type": given} if isinstance(given, str) else dict(given)
+
+
+@dataclass(frozen=True)
+class Spec:
+    """What all episodes of an environment have in common."""
+
+    scenario: str
+    """Name or file, with a configuration: ``hunt-and-prey:advanced``."""
+    learners: str
+    """The role of the robots that learn."""
+    observe: tuple[Words, ...]
+    act: Words
+    steps: int
+    """Steps of the scenario in a step of the environment."""
+    arguments: Words = field(default_factory=dict)
+
+    @classmethod
+    def of(
+        cls,
+        scenario: str,
+        learners: str,
+        observe: Sequence[str | Mapping[str, Any]] | None,
+        act: str | Mapping[str, Any] | None,
+        steps: int,
+        arguments: Mapping[str, Any] | None,
+    ) -> Spec:
+        """Fill in what was left out: ranges and velocity are observed, and actions are velocities."""
+        seen = [Observe.ranges(), Observe.velocity()] if observe is None else observe
+        return cls(
+            scenario=scenario,
+            learners=learners,
+            observe=tuple(_words(each) for each in seen),
+            act=_words(Act.velocity() if act is None else act),
+            steps=steps,
+            arguments=dict(arguments or {}),
+        )
+
+    def opening(self, seeds: Sequence[int], threads: int) -> Words:
+        """Return the words that open the worlds."""
+        name, _, configuration = self.scenario.partition(":")
+        if len(name) == 1 and configuration[:1] in ("/", "\\"):  # a drive of Windows
+            drive, rest = self.scenario[:2], self.scenario[2:]
+            name, _, configuration = rest.partition(":")
+            name = drive + name
+        return {
+            "request": "open",
+            "scenario": name,
+            "configuration": configuration,
+            "arguments": {key: _text(value) for key, value in self.arguments.items()},
+            "learners": self.learners,
+            "observe": list(self.observe),
+            "act": self.act,
+            "steps": self.steps,
+            "seeds": list(seeds),
+            "threads": threads,
+        }
+
+
+def _text(value: object) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)

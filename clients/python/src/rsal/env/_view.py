@@ -1,0 +1,59 @@
+"""What a reward can look at."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+import numpy.typing as npt
+
+from rsal.env._worlds import Floats, Integers, Layout
+
+
+@dataclass(frozen=True)
+class View:
+    """One world after a step, by the truth of the simulation. Arrays are valid during the call only."""
+
+    layout: Layout
+    observations: Floats
+    """By learner, then by number."""
+    actions: Floats
+    """By learner, then by number."""
+    all_poses: Floats
+    """Of all robots: x, y [m] and heading [rad] in the map."""
+    all_collisions: Integers
+    """How often each robot has touched something in this episode."""
+    new_collisions: Integers
+    """The same in this step."""
+    time: float
+    """Simulated time of the episode [s]."""
+    outcome: str
+    """How the scenario ended the episode; empty while it goes on."""
+    metrics: Callable[[], dict[str, float]] = field(repr=False)
+    """Asks for the metrics of the scenario as they are now, which takes some time."""
+
+    def robots(self, role: str) -> npt.NDArray[np.intp]:
+        """Return the numbers of the robots with a role."""
+        return np.array([i for i, each in enumerate(self.layout.robots.values()) if each == role], np.intp)
+
+    def poses(self, role: str) -> Floats:
+        """Return the poses of the robots with a role: x, y [m] and heading [rad] in the map."""
+        poses: Floats = self.all_poses[self.robots(role)]
+        return poses
+
+    @property
+    def learners(self) -> npt.NDArray[np.intp]:
+        """The numbers of the learners among all robots."""
+        ids = list(self.layout.robots)
+        return np.array([ids.index(learner) for learner in self.layout.learners], np.intp)
+
+    @property
+    def collisions(self) -> Integers:
+        """How often each learner has touched something in this step."""
+        touched: Integers = self.new_collisions[self.learners]
+        return touched
+
+
+Reward = Callable[[View], "npt.ArrayLike"]
+"""Gives the reward of each learner after a step, or one number for all of them."""

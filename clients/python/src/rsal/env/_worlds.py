@@ -1,0 +1,179 @@
+"""The child process that simulates all worlds of an environment."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import tempfile
+import weakref
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import IO, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from rsal import launch
+from rsal.env._spec import Spec
+from rsal.protocol import Frames
+
+Floats = npt.NDArray[np.float32]
+Integers = npt.NDArray[np.int32]
+
+_LAST_WORDS = 4000  # characters of what a process has said on stderr
+_PATIENCE = 5.0  # s for a process that is to end
+
+
+class RsalCrashed(launch.RsalError):
+    """The process that simulates has ended: with its exit code, and the last lines that it wrote."""
+
+
+@dataclass(frozen=True)
+class Layout:
+    """What the numbers of an environment mean."""
+
+    learners: tuple[str, ...]
+    robots: dict[str, str]
+    """Roles of all robots, by id."""
+    period: float
+    """Simulated time of a step [s]."""
+    fields: tuple[str, ...]
+    low: Floats
+    high: Floats
+    action_fields: tuple[str, ...]
+    action_low: Floats
+    action_high: Floats
+    choices: int
+    """Number of choices; 0 for actions of continuous numbers."""
+
+
+class Worlds:
+    """Many worlds of one environment, in one child process. Arrays are views that are valid until the next request."""
+
+    def __init__(self, spec: Spec, seeds: Sequence[int], threads: int = 1) -> None:
+        self._owner = os.getpid()
+        self._log: IO[bytes] = tempfile.TemporaryFile()  # noqa: SIM115 - it lives as long as the process
+        self._process = subprocess.Popen(
+            launch.command(["environments"]),
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=self._log,
+            env=launch.environment(),
+        )
+        assert self._process.stdin is not None and self._process.stdout is not None  # noqa: S101 - for type checkers
+        self._frames = Frames(self._process.stdout, self._process.stdin)
+        self._end = weakref.finalize(self, _end, self._process, self._log, self._owner)
+        self.count = len(seeds)
+        words = self._ask(spec.opening(seeds, threads))
+        self.layout = Layout(
+            learners=tuple(words["learners"]),
+            robots=dict(words["robots"]),
+            period=words["period"],
+            fields=tuple(words["fields"]),
+            low=np.array(words["low"], np.float32),
+            high=np.array(words["high"], np.float32),
+            action_fields=tuple(words["actionFields"]),
+            action_low=np.array(words["actionLow"], np.float32),
+            action_high=np.array(words["actionHigh"], np.float32),
+            choices=words["choices"],
+        )
+        learners, robots = len(self.layout.learners), len(self.layout.robots)
+        self._observed = (self.count, learners, len(self.layout.fields))
+        self._posed = (self.count, robots, 3)
+        self._touched = (self.count, robots)
+        self._acted = (self.count, learners, len(self.layout.action_fields))
+        self.observations: Floats
+        self.poses: Floats
+        """True poses of all robots in the map: x, y [m] and heading [rad]."""
+        self.collisions: Integers
+        """How often all robots have touched something in their episode."""
+        self._take()
+
+    def _ask(self, words: dict[str, Any], arrays: bytes = b"") -> dict[str, Any]:
+        if os.getpid() != self._owner:
+            raise launch.RsalError(
+                "This environment was made in another process. Make it in the process that uses it: pass a function "
+                "that makes it, as gymnasium.vector.AsyncVectorEnv does."
+            )
+        try:
+            self._frames.write(words, arrays)
+            answer = self._frames.read()
+        except (OSError, ValueError):
+            answer = None
+        if answer is None:
+            raise RsalCrashed(self._last_words())
+        answered, self._arrays = answer
+        if "error" in answered:
+            raise launch.RsalError(answered["error"])
+        return answered
+
+    def _last_words(self) -> str:
+        try:
+            code: int | None = self._process.wait(_PATIENCE)
+        except subprocess.TimeoutExpired:
+            code = None
+        if self._log.closed:
+            return "The environment is closed."
+        self._log.seek(0)
+        said = self._log.read().decode(errors="replace").strip()[-_LAST_WORDS:]
+        ended = "does not answer" if code is None else f"has ended with exit code {code}"
+        return f"The process of RSAL {ended}." + (f" Its last words were:\n{said}" if said else "")
+
+    def _take(self) -> None:
+        """Set the arrays to views of the newest answer."""
+        observed, posed, touched = (int(np.prod(shape)) for shape in (self._observed, self._posed, self._touched))
+        data = self._arrays
+        self.observations = np.frombuffer(data, "<f4", observed).reshape(self._observed)
+        self.poses = np.frombuffer(data, "<f4", posed, 4 * observed).reshape(self._posed)
+        self.collisions = np.frombuffer(data, "<i4", touched, 4 * (observed + posed)).reshape(self._touched)
+
+    def step(self, actions: npt.ArrayLike) -> dict[int, str]:
+        """Act in all worlds that are not over, and return how those ended that are over, by number."""
+        given = np.ascontiguousarray(actions, "<f4")
+        if given.size != int(np.prod(self._acted)):
+            raise launch.RsalError(f"Actions must have the shape {self._acted}, not {given.shape}.")
+        answered = self._ask({"request": "step"}, given.tobytes())
+        self._take()
+        over: dict[str, str] = answered.get("over", {})
+        return {int(world): outcome for world, outcome in over.items()}
+
+    def reset(self, worlds: Sequence[int], seeds: Sequence[int]) -> None:
+        """Begin new episodes in some worlds."""
+        self._ask({"request": "reset", "worlds": list(worlds), "seeds": list(seeds)})
+        self._take()
+
+    def metrics(self) -> list[dict[str, float]]:
+        """Return the metrics of the scenario as they are now, of each world."""
+        metrics: list[dict[str, float]] = self._ask({"request": "metrics"})["metrics"]
+        return metrics
+
+    def finish(self, world: int) -> dict[str, Any]:
+        """End the episode of a world, and return its outcome, seconds, metrics and event hash."""
+        return self._ask({"request": "finish", "world": world})
+
+    def map(self) -> tuple[npt.NDArray[np.int8], float, tuple[float, float]]:
+        """Return the cells of the map by rows from below, the side of a cell [m], and the lower left corner [m]."""
+        words = self._ask({"request": "map"})
+        cells = np.frombuffer(self._arrays, np.int8, words["width"] * words["height"])
+        x, y = words["origin"]
+        return cells.reshape(words["height"], words["width"]).copy(), words["resolution"], (x, y)
+
+    def close(self) -> None:
+        """End the process."""
+        self._end()
+
+
+def _end(process: subprocess.Popen[bytes], log: IO[bytes], owner: int) -> None:
+    if os.getpid() == owner:
+        for pipe in (process.stdin, process.stdout):
+            if pipe is not None:
+                try:
+                    pipe.close()
+                except OSError:
+                    continue  # it has ended before
+        try:
+            process.wait(_PATIENCE)  # its stdin has ended, so it ends
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+    log.close()

@@ -1,0 +1,114 @@
+package rsal.environment;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import rsal.data.Pose2d;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Where the nearest other robots are, by their true poses, the nearest first: position in the robot's base frame, and
+/// whether there is one. Walls do not hide them. Real robots do not have it.
+public final class NearestObservation implements ObservationType {
+    private static final Parameter<String> ROLE =
+            Parameter.text("role", "", "Role of these robots. Default: all robots.");
+    private static final Parameter<Integer> COUNT = Parameter.integer("count", 1, 1, 1000, "", "Number of robots.");
+    private static final Parameter<Double> MAX = Parameter.number(
+            "max", 100, 0.1, 10_000, "m", "Greatest distance; robots that are farther away do not count.");
+
+    @Override
+    public String key() {
+        return "nearest";
+    }
+
+    @Override
+    public String description() {
+        return "Positions of the nearest other robots in the base frame [m], by the truth of the simulation.";
+    }
+
+    @Override
+    public List<Parameter<?>> parameters() {
+        return List.of(ROLE, COUNT, MAX);
+    }
+
+    @Override
+    public Observation create(Arguments arguments) {
+        return new Nearest(
+                arguments.get(ROLE), arguments.get(COUNT), arguments.get(MAX).floatValue());
+    }
+
+    private record Nearest(String role, int count, float max) implements Observation {
+        private static final int EACH = 3; // x, y, whether there is one
+
+        @Override
+        public List<String> fields() {
+            var fields = new ArrayList<String>();
+            for (int i = 1; i <= count; i++) {
+                fields.add("x of robot %d [m]".formatted(i));
+                fields.add("y of robot %d [m]".formatted(i));
+                fields.add("robot %d exists".formatted(i));
+            }
+            return fields;
+        }
+
+        @Override
+        public float low() {
+            return -Math.max(1, max);
+        }
+
+        @Override
+        public float high() {
+            return Math.max(1, max);
+        }
+
+        @Override
+        public Reader of(Robot robot, Episode episode) {
+            int own = episode.number(robot.id());
+            int[] others = Arrays.stream(episode.numbers(role))
+                    .filter(number -> number != own)
+                    .toArray();
+            if (others.length == 0) {
+                throw new IllegalArgumentException(
+                        "Robot '%s' has no other robots of the role '%s' for the observation 'nearest'."
+                                .formatted(robot.id(), role));
+            }
+            return (to, at) -> write(episode, own, others, to, at);
+        }
+
+        /// Takes the nearest, then the nearest of the rest, as there are few.
+        private void write(Episode episode, int own, int[] others, float[] to, int at) {
+            Pose2d mapFromBase = episode.truth(own);
+            double cos = Math.cos(mapFromBase.theta());
+            double sin = Math.sin(mapFromBase.theta());
+            double taken = -1; // squared distance of the last one
+            int takenNumber = -1;
+            for (int i = 0; i < count; i++) {
+                int nearest = -1;
+                double least = (double) max * max;
+                for (int other : others) {
+                    double dx = episode.truth(other).x() - mapFromBase.x();
+                    double dy = episode.truth(other).y() - mapFromBase.y();
+                    double squared = dx * dx + dy * dy;
+                    boolean isLeft = squared > taken || (squared == taken && other > takenNumber);
+                    if (isLeft && squared <= least && (nearest < 0 || squared < least)) {
+                        nearest = other;
+                        least = squared;
+                    }
+                }
+                int first = at + EACH * i;
+                if (nearest < 0) {
+                    Arrays.fill(to, first, first + EACH, 0);
+                    continue;
+                }
+                double dx = episode.truth(nearest).x() - mapFromBase.x();
+                double dy = episode.truth(nearest).y() - mapFromBase.y();
+                to[first] = (float) (cos * dx + sin * dy);
+                to[first + 1] = (float) (cos * dy - sin * dx);
+                to[first + 2] = 1;
+                taken = least;
+                takenNumber = nearest;
+            }
+        }
+    }
+}

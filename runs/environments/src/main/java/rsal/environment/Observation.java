@@ -1,0 +1,28 @@
+package rsal.environment;
+
+import java.util.List;
+import rsal.robot.Robot;
+
+/// Some numbers that each learner observes. Immutable; all worlds share it.
+public interface Observation {
+    /// What each number is, with its unit: `forward [m/s]`.
+    List<String> fields();
+
+    /// The least value of any of its numbers.
+    float low();
+
+    /// The greatest value of any of its numbers.
+    float high();
+
+    /// Reads it from a robot, for one episode.
+    ///
+    /// @throws IllegalArgumentException when the robot lacks what it needs
+    Reader of(Robot robot, Episode episode);
+
+    /// Writes the numbers of one robot as they are now. On the thread that steps the episode.
+    @FunctionalInterface
+    interface Reader {
+        /// @param at index of its first number
+        void read(float[] to, int at);
+    }
+}

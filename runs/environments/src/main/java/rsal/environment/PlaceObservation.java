@@ -1,0 +1,70 @@
+package rsal.environment;
+
+import java.util.List;
+import rsal.data.Pose2d;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Where a place is, such as a goal, in the robot's base frame by its true pose. Real robots do not have it.
+public final class PlaceObservation implements ObservationType {
+    private static final Parameter<Double> X = Parameter.number(
+                    "x", 0, -10_000, 10_000, "m", "x of the place in the map.")
+            .required();
+    private static final Parameter<Double> Y = Parameter.number(
+                    "y", 0, -10_000, 10_000, "m", "y of the place in the map.")
+            .required();
+    private static final Parameter<Double> MAX =
+            Parameter.number("max", 100, 0.1, 10_000, "m", "Greatest coordinate; those beyond count as this one.");
+
+    @Override
+    public String key() {
+        return "place";
+    }
+
+    @Override
+    public String description() {
+        return "Position of a place in the base frame [m], by the truth of the simulation.";
+    }
+
+    @Override
+    public List<Parameter<?>> parameters() {
+        return List.of(X, Y, MAX);
+    }
+
+    @Override
+    public Observation create(Arguments arguments) {
+        return new Place(arguments.get(X), arguments.get(Y), arguments.get(MAX).floatValue());
+    }
+
+    private record Place(double x, double y, float max) implements Observation {
+        @Override
+        public List<String> fields() {
+            return List.of("x of place [m]", "y of place [m]");
+        }
+
+        @Override
+        public float low() {
+            return -max;
+        }
+
+        @Override
+        public float high() {
+            return max;
+        }
+
+        @Override
+        public Reader of(Robot robot, Episode episode) {
+            int number = episode.number(robot.id());
+            return (to, at) -> {
+                Pose2d mapFromBase = episode.truth(number);
+                double dx = x - mapFromBase.x();
+                double dy = y - mapFromBase.y();
+                double cos = Math.cos(mapFromBase.theta());
+                double sin = Math.sin(mapFromBase.theta());
+                to[at] = Math.clamp((float) (cos * dx + sin * dy), -max, max);
+                to[at + 1] = Math.clamp((float) (cos * dy - sin * dx), -max, max);
+            };
+        }
+    }
+}

@@ -1,0 +1,82 @@
+package rsal.environment;
+
+import java.util.List;
+import rsal.data.Pose2d;
+import rsal.device.Localizer;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// The pose of the robot in the frame `map`: position, and heading as cosine and sine.
+public final class PoseObservation implements ObservationType {
+    private static final Parameter<String> FROM = Parameter.choice(
+            "from",
+            "localizer",
+            List.of("localizer", "truth"),
+            "Where the pose comes from. Real robots have no 'truth'.");
+    private static final Parameter<Double> MAX =
+            Parameter.number("max", 100, 1, 10_000, "m", "Greatest coordinate; those beyond count as this one.");
+
+    @Override
+    public String key() {
+        return "pose";
+    }
+
+    @Override
+    public String description() {
+        return "Position in the map [m], cosine and sine of the heading.";
+    }
+
+    @Override
+    public List<Parameter<?>> parameters() {
+        return List.of(FROM, MAX);
+    }
+
+    @Override
+    public Observation create(Arguments arguments) {
+        return new Pose(arguments.get(FROM).equals("truth"), arguments.get(MAX).floatValue());
+    }
+
+    private record Pose(boolean isTrue, float max) implements Observation {
+        @Override
+        public List<String> fields() {
+            return List.of("x [m]", "y [m]", "cosine of heading", "sine of heading");
+        }
+
+        @Override
+        public float low() {
+            return -max;
+        }
+
+        @Override
+        public float high() {
+            return max;
+        }
+
+        @Override
+        public Reader of(Robot robot, Episode episode) {
+            if (isTrue) {
+                int number = episode.number(robot.id());
+                return (to, at) -> write(episode.truth(number), to, at);
+            }
+            Localizer localizer = robot.find(Localizer.class)
+                    .orElseThrow(() -> new IllegalArgumentException(
+                            "Robot '%s' has no localizer for the observation 'pose'. Maybe from: truth?"
+                                    .formatted(robot.id())));
+            return (to, at) -> write(
+                    localizer
+                            .latest()
+                            .map(newest -> newest.value().mapFromBase())
+                            .orElse(Pose2d.ORIGIN),
+                    to,
+                    at);
+        }
+
+        private void write(Pose2d mapFromBase, float[] to, int at) {
+            to[at] = Math.clamp((float) mapFromBase.x(), -max, max);
+            to[at + 1] = Math.clamp((float) mapFromBase.y(), -max, max);
+            to[at + 2] = (float) Math.cos(mapFromBase.theta());
+            to[at + 3] = (float) Math.sin(mapFromBase.theta());
+        }
+    }
+}

@@ -1,0 +1,122 @@
+package rsal.environment;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import rsal.data.LaserScan;
+import rsal.data.RangeArray;
+import rsal.data.Rep117;
+import rsal.data.Stamped;
+import rsal.device.Device;
+import rsal.device.LaserScanner;
+import rsal.device.RangeSensor;
+import rsal.device.SonarArray;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.settings.Parameter;
+
+/// Ranges of a laser or of sonars, in sectors from right to left: of each sector the least one. Nothing in reach, and
+/// no reading, are the greatest range.
+public final class RangesObservation implements ObservationType {
+    private static final Parameter<String> DEVICE =
+            Parameter.text("device", "", "Name of the laser or the sonars. Default: the first one of the robot.");
+    private static final Parameter<Integer> SECTORS = Parameter.integer(
+            "sectors", 36, 1, 10_000, "", "Number of sectors: at most one for each beam of the sensor.");
+    private static final Parameter<Double> MAX =
+            Parameter.number("max", 8, 0.01, 1000, "m", "Greatest range; longer ones count as this one.");
+
+    @Override
+    public String key() {
+        return "ranges";
+    }
+
+    @Override
+    public String description() {
+        return "Ranges of a laser or of sonars, the least one of each sector.";
+    }
+
+    @Override
+    public List<Parameter<?>> parameters() {
+        return List.of(DEVICE, SECTORS, MAX);
+    }
+
+    @Override
+    public Observation create(Arguments arguments) {
+        return new Ranges(
+                arguments.get(DEVICE),
+                arguments.get(SECTORS),
+                arguments.get(MAX).floatValue());
+    }
+
+    private record Ranges(String device, int sectors, float max) implements Observation {
+        private static final float[] NONE = new float[0]; // before the first reading
+
+        @Override
+        public List<String> fields() {
+            return IntStream.range(0, sectors)
+                    .mapToObj(sector -> "range %d [m]".formatted(sector))
+                    .toList();
+        }
+
+        @Override
+        public float low() {
+            return 0;
+        }
+
+        @Override
+        public float high() {
+            return max;
+        }
+
+        @Override
+        public Reader of(Robot robot, Episode episode) {
+            Device sensor = robot.devices().stream()
+                    .filter(RangeSensor.class::isInstance)
+                    .filter(each -> device.isEmpty() || each.info().name().equals(device))
+                    .findFirst()
+                    .orElseThrow(() -> new IllegalArgumentException("Robot '%s' has no %s for the observation 'ranges'."
+                            .formatted(
+                                    robot.id(),
+                                    device.isEmpty() ? "laser or sonars" : "device '%s'".formatted(device))));
+            return switch (sensor) {
+                case LaserScanner laser ->
+                    (to, at) -> {
+                        Optional<Stamped<LaserScan>> newest = laser.latest();
+                        if (newest.isPresent()) {
+                            LaserScan scan = newest.get().value();
+                            fill(scan.ranges(), scan.rangeMin(), to, at);
+                        } else {
+                            fill(NONE, 0, to, at);
+                        }
+                    };
+                case SonarArray sonars ->
+                    (to, at) -> {
+                        Optional<Stamped<RangeArray>> newest = sonars.latest();
+                        if (newest.isPresent()) {
+                            RangeArray array = newest.get().value();
+                            fill(array.ranges(), array.rangeMin(), to, at);
+                        } else {
+                            fill(NONE, 0, to, at);
+                        }
+                    };
+                default ->
+                    throw new IllegalArgumentException("Device '%s' is neither a laser nor sonars."
+                            .formatted(sensor.info().id()));
+            };
+        }
+
+        private void fill(float[] ranges, double least, float[] to, int at) {
+            for (int sector = 0; sector < sectors; sector++) {
+                int end = (int) ((long) (sector + 1) * ranges.length / sectors);
+                float nearest = max;
+                for (int beam = (int) ((long) sector * ranges.length / sectors); beam < end; beam++) {
+                    double distance = Rep117.distance(ranges[beam], least);
+                    if (distance < nearest) { // false for no reading
+                        nearest = (float) distance;
+                    }
+                }
+                to[at + sector] = nearest;
+            }
+        }
+    }
+}

@@ -1,0 +1,56 @@
+package rsal.environment;
+
+import java.util.List;
+import rsal.data.Twist2d;
+import rsal.device.DriveBase;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+
+/// The velocity that the wheels measure.
+public final class VelocityObservation implements ObservationType {
+    private static final float MAX = 10; // m/s, rad/s
+
+    @Override
+    public String key() {
+        return "velocity";
+    }
+
+    @Override
+    public String description() {
+        return "Measured velocity of the base: forward and left [m/s], counter-clockwise [rad/s].";
+    }
+
+    @Override
+    public Observation create(Arguments arguments) {
+        return new Velocity();
+    }
+
+    private record Velocity() implements Observation {
+        @Override
+        public List<String> fields() {
+            return List.of("forward [m/s]", "left [m/s]", "turn [rad/s]");
+        }
+
+        @Override
+        public float low() {
+            return -MAX;
+        }
+
+        @Override
+        public float high() {
+            return MAX;
+        }
+
+        @Override
+        public Reader of(Robot robot, Episode episode) {
+            DriveBase base = robot.require(DriveBase.class);
+            return (to, at) -> {
+                Twist2d velocity =
+                        base.latest().map(newest -> newest.value().velocity()).orElse(Twist2d.STOP);
+                to[at] = Math.clamp((float) velocity.vx(), -MAX, MAX);
+                to[at + 1] = Math.clamp((float) velocity.vy(), -MAX, MAX);
+                to[at + 2] = Math.clamp((float) velocity.omega(), -MAX, MAX);
+            };
+        }
+    }
+}
