@@ -5,9 +5,6 @@
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING
-
 __version__ = "0.1.0"
 
 #: Each public name of this package, by the module that has it.
@@ -22,6 +19,7 @@ _NAMES = {
     "sweep": "rsal.studies",
 }
 
+TYPE_CHECKING = False  # type checkers know better; the module typing would take most of the time of this import
 if TYPE_CHECKING:
     from rsal.launch import RsalError as RsalError
     from rsal.studies import connect as connect
@@ -37,6 +35,8 @@ def __getattr__(name: str) -> object:
     module = _NAMES.get(name)
     if module is None:
         raise AttributeError(f"Module 'rsal' has no name '{name}'. It has {', '.join(sorted(_NAMES))}.")
+    import importlib  # noqa: PLC0415 - not every program needs it
+
     value = getattr(importlib.import_module(module), name)
     globals()[name] = value
     return value
