@@ -25,11 +25,15 @@ def _program(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
             (program / "lib").mkdir()
             for jar in Path(jars).glob("*.jar"):
                 (program / "lib" / jar.name).symlink_to(jar)
-            options = OPTIONS.read_text(encoding="utf-8") + "-XX:TieredStopAtLevel=1\n"  # short runs take half the time
+            # What makes short runs faster: one compiler only, and an archive of classes, which the first run writes.
+            faster = ["-XX:TieredStopAtLevel=1", "-XX:+AutoCreateSharedArchive"]
+            faster.append(f'"-XX:SharedArchiveFile={program / "classes.jsa"}"')
+            options = OPTIONS.read_text(encoding="utf-8") + "\n".join(faster) + "\n"
             (program / "lib" / OPTIONS.name).write_text(options, encoding="utf-8")
             (program / "page").mkdir()
             (program / "page" / "index.html").write_text("<!doctype html><title>blank</title>", encoding="utf-8")
             patch.setenv("RSAL_PROGRAM", str(program))
+        patch.setenv("PYTHONPATH", str(Path(rsal.__file__).parents[1]))  # for child processes
         patch.setenv("RSAL_CACHE", "off")  # else the first test would make one in the background
         yield
 

@@ -9,14 +9,15 @@ Lengths are in meters, angles in radians (counter-clockwise), times in seconds, 
 from __future__ import annotations
 
 from rsal.studies._command import CommandFailed
-from rsal.studies._recordings import OccupancyMap, Recording, load
+from rsal.studies._recordings import OccupancyMap, Recording, Scans, load
 from rsal.studies._runs import Pose, Result, RunFailed, run
-from rsal.studies._sessions import Event, GoalResult, Session, SessionError, connect, serve
+from rsal.studies._sessions import Event, Events, GoalResult, Session, SessionError, connect, serve
 from rsal.studies._sweeps import Report, report, rows, sweep
 
 __all__ = [
     "CommandFailed",
     "Event",
+    "Events",
     "GoalResult",
     "OccupancyMap",
     "Pose",
@@ -24,6 +25,7 @@ __all__ = [
     "Report",
     "Result",
     "RunFailed",
+    "Scans",
     "Session",
     "SessionError",
     "connect",

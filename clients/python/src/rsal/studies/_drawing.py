@@ -76,8 +76,8 @@ def drawn(
             shown = np.vstack([poses[::step], poses[-1:]])
             path = " ".join(point(x, y) for x, y, _ in shown)
             lines.append(
-                f'<polyline points="{path}" fill="none" stroke="{paint}" stroke-width="2" stroke-linejoin="round"{dashes}>'
-                f"<title>{name}</title></polyline>"
+                f'<polyline points="{path}" fill="none" stroke="{paint}" stroke-width="2" stroke-linejoin="round"'
+                f"{dashes}><title>{name}</title></polyline>"
             )
             lines.append(_dot(point(*poses[0, :2]), paint))
             lines.append(_arrow(poses[-1], point, paint, 14 / scale))

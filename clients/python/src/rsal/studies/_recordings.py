@@ -8,6 +8,7 @@ price is a start of Java for the state, events, messages and map together, and f
 from __future__ import annotations
 
 import json
+import re
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -25,7 +26,7 @@ from rsal.studies._drawing import drawn
 if TYPE_CHECKING:
     from pandas import DataFrame
 
-_SMALL = ("/map", "/state", "/robots", "/events", "/messages", "/agents", "/minds")
+_SMALL = re.compile(r"/(map|state|robots|events|agents|minds|messages(\..*)?)")
 """Topics that are read together, since most studies want them."""
 
 
@@ -98,7 +99,7 @@ class Recording:
 
     @property
     def result(self) -> dict[str, str]:
-        """What was recorded at the end: ``outcome``, ``eventHash``, ``metric.NAME``, …; empty if it was cut off."""
+        """What was recorded at the end: ``outcome``, ``eventHash``, ``metric.NAME``; empty if it is cut off."""
         return dict(self._shown.get("result") or {})
 
     @property
@@ -135,14 +136,13 @@ class Recording:
                 "Topics are listed in docs/reference/recordings.md."
             )
         if topic not in self._tables:
-            self._read(_SMALL if topic in _SMALL else (topic,))
+            self._read([each for each in self.topics if _SMALL.fullmatch(each)] if _SMALL.fullmatch(topic) else [topic])
         return self._tables[topic]
 
     def _read(self, topics: Sequence[str]) -> None:
-        wanted = [topic for topic in topics if topic in self.topics]
-        options = [word for topic in wanted for word in ("--topic", topic)]
+        options = [word for topic in topics for word in ("--topic", topic)]
         call_json(["export", str(self.file), "--csv", self._folder.name, "--force", *options])
-        for topic in wanted:
+        for topic in topics:
             file = Path(self._folder.name) / f"{_file_name(topic)}.csv"
             text = {"hash": str, "words": str, "text": str, "state": str, "beliefs": str, "robots.lacks": str}
             self._tables[topic] = read_csv(file, dtype=text)

@@ -35,6 +35,12 @@ _START = 60.0  # s, until the page of a new session is there
 _EXECUTING = "executing"
 _PAGE = re.compile(rb"Watch it at (http://\S+)")
 _METRIC = re.compile(r"^(\w+(?:\{.*\})?) (\S+)$")
+# Browsers take 127.0.0.1 and localhost for different sites, so the frame has the name that the notebook has.
+_FRAME = """<iframe src="{page}" width="100%" height="600" style="border: 0"></iframe><script>
+{{
+  const frame = document.currentScript.previousElementSibling;
+  if (location.hostname === "localhost") frame.src = frame.src.replace("//127.0.0.1:", "//localhost:");
+}}</script>"""
 _FRAME_NUMBER = 8  # offset in a frame
 
 
@@ -178,7 +184,16 @@ def serve(
         CommandFailed: the scenario or an argument is wrong, or the port is in use.
 
     """
-    words = ["run", scenario_word(scenario, configuration), "--port", str(port), "--speed", str(speed), "--quiet"]
+    words = [
+        "run",
+        scenario_word(scenario, configuration),
+        "--port",
+        str(port),
+        "--speed",
+        str(speed),
+        "--quiet",
+        "--frames",
+    ]
     if seed is not None:
         words += ["--seed", str(seed)]
     if record is not None:
@@ -216,8 +231,8 @@ def _read(file: Any) -> bytes:
 class Session:
     """A running session. Made by ``connect`` and ``serve``; its methods may be called from any thread.
 
-    In Jupyter, it shows itself with a link to its page, the state of its robots, and the page where the server allows
-    it to be framed.
+    In Jupyter, it shows the state of its robots and a link to its page. Sessions of ``serve`` also show the page
+    itself, in notebooks at ``localhost`` or ``127.0.0.1``.
     """
 
     def __init__(self, address: str, token: str | None, certificate: str | Path | None = None) -> None:
@@ -412,12 +427,13 @@ class Session:
             for robot in status["robots"]
         )
         state = status["outcome"] or ("paused" if status["paused"] else "running")
+        frame = _FRAME.format(page=escape(self.page)) if self._process is not None else ""
         return (
             f"<b>{escape(status['scenario'])}:{escape(status['configuration'])}</b>, "
             f"seed {escape(str(status['seed']))}: "
             f"{escape(state)} at {status['time']:.1f} s. "
             f'<a href="{escape(self.page)}" target="_blank">Open the page</a>'
-            f"<table><tr><th>robot</th><th>x [m]</th><th>y [m]</th><th>active controller</th></tr>{rows}</table>"
+            f"<table><tr><th>robot</th><th>x [m]</th><th>y [m]</th><th>active controller</th></tr>{rows}</table>{frame}"
         )
 
 
