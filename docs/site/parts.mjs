@@ -22,7 +22,7 @@ export const parts = [
   {
     title: 'How to',
     groups: [
-      { title: 'Install, operate, teach', pages: docs('how-to', 'install', 'network', 'lab', 'troubleshooting') },
+      { title: 'Install, operate, teach', pages: docs('how-to', 'install', 'python', 'network', 'lab', 'troubleshooting') },
       {
         title: 'Robots',
         pages: docs('how-to', 'localization', 'planning', 'avoidance', 'own-controller', 'recoveries', 'traffic', 'mapping', 'player', 'ros2', 'gazebo', 'another-robot-system', 'another-bridge', 'another-world-format', 'another-log-format'),
@@ -46,7 +46,7 @@ export const parts = [
   {
     title: 'Reference',
     groups: [
-      { title: 'Commands', pages: docs('reference', 'command-line', 'sweeps', 'benchmarks', 'results') },
+      { title: 'Commands', pages: docs('reference', 'command-line', 'python', 'sweeps', 'benchmarks', 'results') },
       {
         title: 'What is there',
         pages: docs('reference', 'agents', 'devices', 'messages', 'robot-models'),

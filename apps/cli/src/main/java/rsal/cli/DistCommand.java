@@ -12,7 +12,7 @@ import rsal.cli.terminal.Unreachable;
 @Command(
         name = "dist",
         description = "Pack a release for each system: an archive with RSAL, its page and documentation, and a Java"
-                + " runtime. Its users need neither Java nor a network.")
+                + " runtime. Its users need neither Java nor a network. Or pack a Python wheel for all systems.")
 final class DistCommand extends Subcommand {
     @Parameters(
             paramLabel = "SYSTEM",
@@ -25,6 +25,12 @@ final class DistCommand extends Subcommand {
             description = "Without a Java runtime: users then need Java 25. Packing then needs no network.")
     private boolean bare;
 
+    @Option(
+            names = "--wheel",
+            description = "Pack only the Python wheel, for 'pip install'. It has RSAL and its page; pip brings the Java"
+                    + " runtime. Packing needs Python 3.10 or newer.")
+    private boolean wheel;
+
     @Option(names = "--out", paramLabel = "FOLDER", description = "Folder for the archives. Default: target/dist.")
     private String out = "";
 
@@ -33,6 +39,7 @@ final class DistCommand extends Subcommand {
         throw new Unreachable("Releases are packed by the launcher in the project's folder: ./rsal dist"
                 + systems.stream().map(system -> " " + system).collect(Collectors.joining())
                 + (bare ? " --no-runtime" : "")
+                + (wheel ? " --wheel" : "")
                 + (out.isEmpty() ? "" : " --out " + out));
     }
 }

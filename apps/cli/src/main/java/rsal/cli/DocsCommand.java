@@ -30,8 +30,10 @@ final class DocsCommand extends Subcommand {
         Path site = Optional.ofNullable(System.getProperty("rsal.docs"))
                 .map(Path::of)
                 .orElseThrow(() -> new Unreachable(
-                        "The documentation is built by the launcher in the project's folder: ./rsal docs"
-                                + (serve ? " --serve" : "")));
+                        System.getProperty("rsal.python") != null
+                                ? "The Python package has no documentation site. A release has one, and a clone builds it."
+                                : "The documentation is built by the launcher in the project's folder: ./rsal docs"
+                                        + (serve ? " --serve" : "")));
         out().println(site);
         out().flush();
         if (serve) {

@@ -691,6 +691,24 @@ class LauncherIT {
         assertThat(releases(4)).contains("Building RSAL…");
     }
 
+    @Test
+    void aWheelIsForAllSystems() throws Exception {
+        layOutPage("#!/bin/sh\n");
+        Ended ended = run("dist", "--wheel", "linux-x64");
+        assertThat(ended.code()).isEqualTo(2);
+        assertThat(ended.err()).contains("'linux-x64' is not for wheels", "./rsal dist --wheel");
+        assertThat(run("dist", "--wheel", "--out").err()).contains("--out needs a folder");
+    }
+
+    @Test
+    void saysWhatAWheelNeedsWhereThereIsNoPython() throws Exception {
+        layOutPage("#!/bin/sh\n");
+        writeExecutable(folder.resolve("bin/python3"), "#!/bin/sh\nexit 1\n");
+        Ended ended = run("dist", "--wheel");
+        assertThat(ended.code()).isEqualTo(5);
+        assertThat(ended.err()).contains("A wheel needs Python 3.10 or newer", "python3-venv");
+    }
+
     /// @param built how many releases were built until then
     private String releases(int built) throws Exception {
         String err = run("dist").err();

@@ -71,9 +71,12 @@ final class Dist implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init")
     private Path page;
 
-    @Option(names = "--site", required = true, hidden = true)
-    @SuppressWarnings("NullAway.Init")
-    private Path site;
+    @Option(names = "--site", hidden = true)
+    private @Nullable Path site;
+
+    /// Where to put the sources of a wheel, with all that it has inside. The launcher makes a wheel of them.
+    @Option(names = "--wheel-sources", paramLabel = "FOLDER", hidden = true)
+    private @Nullable Path wheel;
 
     @Option(names = "--bill", required = true, hidden = true)
     @SuppressWarnings("NullAway.Init")
@@ -101,24 +104,53 @@ final class Dist implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException, InterruptedException {
+        if (wheel != null) {
+            var tree = new FileTree();
+            addProgram(tree, components(List.of()));
+            wheelSources(tree).unpack(wheel);
+            return 0;
+        }
+        if (site == null) {
+            throw new ParameterException(spec.commandLine(), "Missing --site: only wheels have no documentation.");
+        }
         List<TargetSystem> wanted = wanted();
+        Components components = components(List.of(site.resolve("licenses.json")));
+        Path out = given == null ? project.resolve("target").resolve("dist") : given;
+        Files.createDirectories(out);
+        var runtimes = new JavaRuntimes(jdk, cache);
+        for (TargetSystem system : wanted) {
+            pack(system, components, runtimes, site, out);
+        }
+        return 0;
+    }
+
+    /// @param more lists of further libraries, besides those of the program and its page
+    private Components components(List<Path> more) throws IOException {
         var components = new Components();
         components.add(bill);
-        for (Path list : List.of(
-                page.resolve("licenses.json"), page.resolve("licenses-of-plots.json"), site.resolve("licenses.json"))) {
+        components.addBundled(page.resolve("licenses.json"));
+        components.addBundled(page.resolve("licenses-of-plots.json"));
+        for (Path list : more) {
             components.addBundled(list);
         }
         if (!components.unlicensed().isEmpty()) {
             throw new IllegalStateException("These parts tell no licence, so they can't be passed on: "
                     + String.join(", ", components.unlicensed()));
         }
-        Path out = given == null ? project.resolve("target").resolve("dist") : given;
-        Files.createDirectories(out);
-        var runtimes = new JavaRuntimes(jdk, cache);
-        for (TargetSystem system : wanted) {
-            pack(system, components, runtimes, out);
+        return components;
+    }
+
+    /// The Python package, with the program as its folder `_program`.
+    private FileTree wheelSources(FileTree program) throws IOException {
+        var sources = new FileTree();
+        Path python = project.resolve("clients").resolve("python");
+        for (String name : List.of("pyproject.toml", "README.md")) {
+            sources.add(name, Files.readAllBytes(python.resolve(name)));
         }
-        return 0;
+        sources.add("LICENSE", Files.readAllBytes(project.resolve("LICENSE")));
+        sources.addFolder("src", python.resolve("src"), name -> !name.contains("__pycache__"));
+        program.files().forEach((name, content) -> sources.add("src/rsal/_program/" + name, content));
+        return sources;
     }
 
     private List<TargetSystem> wanted() {
@@ -135,21 +167,14 @@ final class Dist implements Callable<Integer> {
                 .toList();
     }
 
-    private void pack(TargetSystem system, Components components, JavaRuntimes runtimes, Path out)
+    private void pack(TargetSystem system, Components components, JavaRuntimes runtimes, Path site, Path out)
             throws IOException, InterruptedException {
         var tree = new FileTree();
         String runtime = bare ? "none: it needs Java 25 or newer" : runtimes.addTo(tree, system);
-        tree.addFolder("lib", jars, name -> name.endsWith(".jar"));
-        tree.addFolder("page", page, _ -> true);
+        addProgram(tree, components);
         tree.addFolder("docs", site, _ -> true);
-        for (String name : List.of("LICENSE", "CHANGELOG.md", "SECURITY.md", "CITATION.cff")) {
+        for (String name : List.of("CHANGELOG.md", "SECURITY.md", "CITATION.cff")) {
             tree.add(name, Files.readAllBytes(project.resolve(name)));
-        }
-        tree.add("NOTICE", notice(components).getBytes(StandardCharsets.UTF_8));
-        tree.add("sbom.cdx.json", components.bill(VERSION));
-        components.addTexts(tree, jars);
-        for (String name : LICENCES) {
-            tree.add("licenses/" + name, resource("licenses/" + name));
         }
         tree.add("README.md", resource("README.md"));
         if (system.isLinux()) {
@@ -157,7 +182,6 @@ final class Dist implements Callable<Integer> {
                 tree.add(name, resource(name));
             }
         }
-        tree.add("lib/java.options", options());
         String starter = system.isWindows() ? "rsal.cmd" : "rsal";
         byte[] script = resource(starter);
         tree.add(starter, new FileTree.Content(() -> script, true));
@@ -168,6 +192,20 @@ final class Dist implements Callable<Integer> {
         String sum = JavaRuntimes.sha256(file);
         Files.writeString(out.resolve(file.getFileName() + ".sha256"), "%s  %s\n".formatted(sum, file.getFileName()));
         IO.println("%s  (%.1f MB; Java runtime: %s)".formatted(file, Files.size(file) / 1e6, runtime));
+    }
+
+    /// What archives and wheels have in them: the program, its page, and the licences of both.
+    private void addProgram(FileTree tree, Components components) throws IOException {
+        tree.addFolder("lib", jars, name -> name.endsWith(".jar"));
+        tree.addFolder("page", page, _ -> true);
+        tree.add("lib/java.options", options());
+        tree.add("LICENSE", Files.readAllBytes(project.resolve("LICENSE")));
+        tree.add("NOTICE", notice(components).getBytes(StandardCharsets.UTF_8));
+        tree.add("sbom.cdx.json", components.bill(VERSION));
+        components.addTexts(tree, jars);
+        for (String name : LICENCES) {
+            tree.add("licenses/" + name, resource("licenses/" + name));
+        }
     }
 
     private String notice(Components components) throws IOException {

@@ -106,6 +106,16 @@ class ArchiveTest {
     }
 
     @Test
+    void aFolderHasOnlyTheFilesOfATree() throws IOException {
+        Path target = Files.createDirectories(folder.resolve("target"));
+        Files.writeString(Files.createDirectories(target.resolve("old")).resolve("a"), "former");
+        tree(input("a", FileTime.fromMillis(0))).unpack(target);
+        assertThat(target.resolve("old")).doesNotExist();
+        assertThat(target.resolve("x/inner/Größe.txt")).hasContent("Größe");
+        assertThat(target.resolve(LONG_NAME)).hasContent("page");
+    }
+
+    @Test
     void aPathIsThereOnce() {
         var tree = new FileTree();
         tree.add("a", new byte[0]);

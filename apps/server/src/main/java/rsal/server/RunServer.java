@@ -49,6 +49,7 @@ public final class RunServer implements AutoCloseable {
     /// @param recorded the results of recordings so far, empty when there are none; on any thread, must not wait
     /// @param sweeping empty where no sweeps can be begun
     /// @param listening where other machines reach it; empty for nowhere
+    /// @param framed whether pages of other programs on this machine may show it in frames, as notebooks do
     public record Options(
             int port,
             String token,
@@ -58,9 +59,24 @@ public final class RunServer implements AutoCloseable {
             Function<RunPlan, LiveRun> starter,
             Supplier<Optional<Recorder.Tally>> recorded,
             Optional<Sweeping> sweeping,
-            Optional<Listening> listening) {
+            Optional<Listening> listening,
+            boolean framed) {
         public Options {
             scenarios = List.copyOf(scenarios);
+        }
+
+        /// In no frames of others.
+        public Options(
+                int port,
+                String token,
+                Path page,
+                List<String> scenarios,
+                Consumer<LiveRun> onStart,
+                Function<RunPlan, LiveRun> starter,
+                Supplier<Optional<Recorder.Tally>> recorded,
+                Optional<Sweeping> sweeping,
+                Optional<Listening> listening) {
+            this(port, token, page, scenarios, onStart, starter, recorded, sweeping, listening, false);
         }
 
         /// For this machine alone.
@@ -121,7 +137,7 @@ public final class RunServer implements AutoCloseable {
                 options.sweeping().map(each -> new SweepHome(each.folder(), each.program())),
                 catalog,
                 Sweeps.coresBesideARun());
-        gate = new AccessControl(PageServer.port(door), token, options.listening());
+        gate = new AccessControl(PageServer.port(door), token, options.listening(), options.framed());
         var first = new CurrentRun(plan, options.onStart(), options.starter());
         seats = new RunSlots(first, gate);
         try {

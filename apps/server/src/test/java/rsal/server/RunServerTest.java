@@ -22,6 +22,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -196,6 +197,27 @@ class RunServerTest {
                     "/assets",
                     "/api/x")) {
                 assertThat(get(path).status()).as(path).isBetween(400, 404);
+            }
+        }
+
+        @Test
+        void isInFramesOfOtherProgramsWhereThatIsWanted() throws Exception {
+            var options = new RunServer.Options(
+                    0,
+                    TOKEN,
+                    directory,
+                    List.of(),
+                    _ -> {},
+                    LiveRun::start,
+                    Optional::empty,
+                    Optional.empty(),
+                    Optional.empty(),
+                    true);
+            try (var framed = RunServer.start(Errand.plan(), options)) {
+                int at = framed.url().getPort();
+                assertThat(RawHttp.get(at, "/", "Host: 127.0.0.1:" + at).text())
+                        .contains("frame-ancestors 'self' http://127.0.0.1:* http://localhost:*\r\n")
+                        .doesNotContain("X-Frame-Options");
             }
         }
 

@@ -77,6 +77,16 @@ public final class CsvExport {
         }
     }
 
+    /// Topics that have a table, in the order of the file.
+    public List<String> topics() {
+        return types.keySet().stream().map(Channel::topic).distinct().toList();
+    }
+
+    /// Leaves out all topics but these.
+    public void keep(Collection<String> topics) {
+        types.keySet().removeIf(channel -> !topics.contains(channel.topic()));
+    }
+
     /// Names of the files.
     public List<String> names() {
         return types.entrySet().stream()

@@ -53,6 +53,18 @@ class CsvExportTest {
     }
 
     @Test
+    void writesTheTablesOfChosenTopicsOnly() throws Exception {
+        Path chosen = folder.resolve("chosen");
+        try (McapFile file = McapFile.open(folder.resolve("run.mcap"))) {
+            var export = new CsvExport(file);
+            assertThat(export.topics()).contains("/state", "/events", "/map");
+            export.keep(List.of("/events"));
+            assertThat(export.write(chosen)).containsExactly(chosen.resolve("events.csv"));
+        }
+        assertThat(chosen.resolve("events.csv")).hasSameBinaryContentAs(folder.resolve("events.csv"));
+    }
+
+    @Test
     void eachParticleIsARow() throws Exception {
         List<Map<String, String>> rows = table("explorer-1.particles.csv");
         assertThat(rows.getFirst().keySet()).containsExactly("log_time_s", "frame_id", "x", "y", "heading", "weight");

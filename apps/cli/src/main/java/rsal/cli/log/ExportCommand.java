@@ -38,6 +38,7 @@ import rsal.time.AllowedToReadWallClock;
             "",
             "  rsal run hunt-and-prey --headless --speed max --record hunt.mcap",
             "  rsal export hunt.mcap --csv tables",
+            "  rsal export hunt.mcap --csv tables --topic /state --topic /hunter-1/scan",
             "  rsal export hunt.mcap --gif hunt.gif --speed 4",
             ""
         })
@@ -55,6 +56,12 @@ public final class ExportCommand extends Subcommand {
 
     @Option(names = "--force", description = "Overwrite existing files.")
     private boolean force;
+
+    @Option(
+            names = "--topic",
+            paramLabel = "TOPIC",
+            description = "Write only the table of this topic, such as '/r1/scan'. May be repeated.")
+    private List<String> topics = List.of();
 
     @Option(names = "--size", paramLabel = "PX", description = "Longer side of the animation [pixels] (800).")
     private int size = 800;
@@ -95,6 +102,7 @@ public final class ExportCommand extends Subcommand {
     private int tables(String folder) {
         try (Recording recording = RecordingFile.open(name, false)) {
             var export = new CsvExport(recording.file());
+            keepTopics(export);
             Destination.of(folder, export.names(), force).prepare();
             try {
                 List<Path> written = export.write(Destination.path(folder));
@@ -109,7 +117,23 @@ public final class ExportCommand extends Subcommand {
         }
     }
 
+    private void keepTopics(CsvExport export) {
+        if (topics.isEmpty()) {
+            return;
+        }
+        for (String topic : topics) {
+            if (!export.topics().contains(topic)) {
+                throw new InvalidSettings(
+                        Location.of(name),
+                        "There is no table of the topic '%s'.".formatted(topic),
+                        "Tables are of: %s.".formatted(String.join(", ", export.topics())));
+            }
+        }
+        export.keep(topics);
+    }
+
     private int animate(String gif) {
+        check(topics.isEmpty(), "--topic is for --csv: an animation shows the whole run.");
         check(gif.endsWith(".gif"), "--gif '%s' must end with .gif.".formatted(gif));
         RunAnimation.Settings settings = settings();
         Path file = Destination.path(gif).toAbsolutePath();

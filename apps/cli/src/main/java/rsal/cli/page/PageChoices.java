@@ -31,6 +31,11 @@ public final class PageChoices {
     private @Nullable Integer port;
 
     @Option(
+            names = "--frames",
+            description = "Let pages of other programs on this machine, such as Jupyter, show the page in frames.")
+    private boolean frames;
+
+    @Option(
             names = "--record",
             paramLabel = "FILE.mcap",
             description = "Record the run, for Foxglove, 'rsal replay' and 'rsal export'. Further runs from the page"
@@ -93,7 +98,7 @@ public final class PageChoices {
 
     /// @param line for mistakes in options
     public PageRuns.Endpoints endpoints(CommandLine line) {
-        return new PageRuns.Endpoints(port, network.listening(line));
+        return new PageRuns.Endpoints(port, network.listening(line), frames);
     }
 
     /// @param command as it was typed

@@ -102,9 +102,10 @@ public final class PageRuns {
     ///
     /// @param port on this machine; null for the usual one, or any when that is in use
     /// @param listening for other machines; empty for none
-    public record Endpoints(@Nullable Integer port, Optional<Listening> listening) {
+    /// @param framed whether pages of other programs on this machine may show it in frames
+    public record Endpoints(@Nullable Integer port, Optional<Listening> listening, boolean framed) {
         /// The usual ones.
-        public static final Endpoints USUAL = new Endpoints(null, Optional.empty());
+        public static final Endpoints USUAL = new Endpoints(null, Optional.empty(), false);
     }
 
     /// Prints the page's address and shows runs until a signal ends it all, by an exception, or the first has ended.
@@ -188,7 +189,8 @@ public final class PageRuns {
                                     eye::start,
                                     eye::recorded,
                                     first.sweeps().map(folder -> new RunServer.Sweeping(folder, Build.name())),
-                                    endpoints.listening())));
+                                    endpoints.listening(),
+                                    endpoints.framed())));
         } catch (BindException e) {
             throw new Unreachable("'%s' can't be listened at: %s. Is it in use, or of another machine?"
                     .formatted(

@@ -38,6 +38,11 @@ public final class PrepareCommand extends Subcommand {
     /// Why the script of a release has named no cache.
     private static String whyNone() {
         String docs = System.getProperty("rsal.docs"); // only the script of a release names them
+        if (docs == null && System.getProperty("rsal.python") != null) { // the command of a Python package names it
+            return "off".equals(System.getenv("RSAL_CACHE"))
+                    ? "There is no cache, since RSAL_CACHE is 'off'."
+                    : "Your cache folder can't be written. RSAL_CACHE=FOLDER names another folder.";
+        }
         if (docs == null) {
             return "This is no unpacked release: a clone makes its cache when it builds.";
         }

@@ -43,17 +43,20 @@ public final class AccessControl {
     private final List<String> hosts;
     private final List<Key> keys;
     private final List<String> origins;
+    private final boolean framed;
 
     /// @param token as bytes, to be compared in constant time
     private record Key(byte[] token, Role role) {}
 
     public AccessControl(int port, String token) {
-        this(port, token, Optional.empty());
+        this(port, token, Optional.empty(), false);
     }
 
     /// @param port of the loopback address
     /// @param token of the one who started the server, who may do all
-    public AccessControl(int port, String token, Optional<Listening> listening) {
+    /// @param framed whether pages of other programs on this machine may show its page in frames
+    public AccessControl(int port, String token, Optional<Listening> listening, boolean framed) {
+        this.framed = framed;
         hosts = List.of("127.0.0.1:" + port, "localhost:" + port, "[::1]:" + port);
         keys = Stream.concat(
                         Stream.of(new Key(bytes(token), Role.ADMIN)),
@@ -66,6 +69,11 @@ public final class AccessControl {
 
     private static byte[] bytes(String token) {
         return token.getBytes(StandardCharsets.UTF_8);
+    }
+
+    /// Whether pages of other programs on this machine may show this server's page in frames.
+    boolean isFramed() {
+        return framed;
     }
 
     /// For every request, upgrades to WebSocket too.

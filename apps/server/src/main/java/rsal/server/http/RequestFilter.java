@@ -30,6 +30,11 @@ final class RequestFilter extends Handler.Wrapper {
             "Cross-Origin-Opener-Policy", "same-origin",
             "Cross-Origin-Resource-Policy", "same-origin");
 
+    /// The policy of [#SECURITY_HEADERS], but with frames in pages of other programs on this machine.
+    private static final String FRAMED_POLICY = SECURITY_HEADERS
+            .getOrDefault("Content-Security-Policy", "")
+            .replace("frame-ancestors 'self'", "frame-ancestors 'self' http://127.0.0.1:* http://localhost:*");
+
     private static final String SITE = "Sec-Fetch-Site";
     private static final Pattern LIVE = Pattern.compile("(/beside/[^/]+)?/api/live");
 
@@ -45,6 +50,10 @@ final class RequestFilter extends Handler.Wrapper {
     public boolean handle(Request request, Response plain, Callback callback) throws Exception {
         var response = new Answer(request, plain);
         SECURITY_HEADERS.forEach(response.getHeaders()::put);
+        if (gate.isFramed() && !isRemote(request)) {
+            response.getHeaders().put("Content-Security-Policy", FRAMED_POLICY);
+            response.getHeaders().remove("X-Frame-Options"); // it knows no list of pages
+        }
         response.getHeaders().put(HttpHeader.CACHE_CONTROL, "no-store");
         try {
             admit(request);

@@ -1,0 +1,46 @@
+"""RSAL from Python: start runs, study their results, and connect to running sessions.
+
+``import rsal`` loads nothing else and starts no Java. A name of the table below loads its module when it is used.
+"""
+
+from __future__ import annotations
+
+__version__ = "0.1.0"
+
+#: Each public name of this package, by the module that has it.
+_NAMES = {
+    "RsalError": "rsal.launch",
+    "connect": "rsal.studies",
+    "load": "rsal.studies",
+    "report": "rsal.studies",
+    "rows": "rsal.studies",
+    "run": "rsal.studies",
+    "serve": "rsal.studies",
+    "sweep": "rsal.studies",
+}
+
+TYPE_CHECKING = False  # type checkers know better; the module typing would take most of the time of this import
+if TYPE_CHECKING:
+    from rsal.launch import RsalError as RsalError
+    from rsal.studies import connect as connect
+    from rsal.studies import load as load
+    from rsal.studies import report as report
+    from rsal.studies import rows as rows
+    from rsal.studies import run as run
+    from rsal.studies import serve as serve
+    from rsal.studies import sweep as sweep
+
+
+def __getattr__(name: str) -> object:
+    module = _NAMES.get(name)
+    if module is None:
+        raise AttributeError(f"Module 'rsal' has no name '{name}'. It has {', '.join(sorted(_NAMES))}.")
+    import importlib  # noqa: PLC0415 - not every program needs it
+
+    value = getattr(importlib.import_module(module), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_NAMES})

@@ -1,0 +1,108 @@
+"""The reference of rsal.studies is made of its docstrings: RSAL_UPDATE=true writes it anew."""
+
+from __future__ import annotations
+
+import inspect
+import os
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from rsal import studies
+
+_FILE = Path(__file__).resolve().parents[3] / "docs" / "reference" / "python.md"
+
+_HEAD = """# Python: functions and classes
+
+This page describes the functions and classes of the package `rsal` for studies. [Python](../how-to/python.md) shows how
+to install and use it. It is made of the docstrings of `rsal.studies`; `rsal.run` and the other functions are the same
+under shorter names.
+
+Lengths are in m, angles in rad (counter-clockwise), times in s, and poses in the map frame.
+"""
+
+
+def _text(documented: object) -> str:
+    """Return a docstring as Markdown: sections become lists."""
+    lines: list[str] = []
+    in_list = False
+    for line in (inspect.getdoc(documented) or "").splitlines():
+        item = re.match(r"    (\w+): (.*)", line)
+        if re.fullmatch(r"(Args|Attributes|Raises):", line):
+            in_list = True
+            lines += [line, ""] if line != "Args:" else []
+        elif in_list and item:
+            lines.append(f"* `{item.group(1)}`: {item.group(2)}")
+        elif in_list and line.startswith("        "):
+            lines.append(f"  {line.strip()}")
+        else:
+            in_list = in_list and not line
+            lines.append(line)
+    return re.sub(r"``([^`]*)``", r"`\1`", "\n".join(lines)).strip()
+
+
+def _parameters(function: object, *, method: bool) -> list[str]:
+    """Return parameters as they are written, annotations being texts."""
+    assert callable(function)
+    written: list[str] = []
+    for parameter in list(inspect.signature(function).parameters.values())[1 if method else 0 :]:
+        stars = "**" if parameter.kind is parameter.VAR_KEYWORD else ""
+        if parameter.kind is parameter.KEYWORD_ONLY and "*" not in written:
+            written.append("*")
+        default = "" if parameter.default is parameter.empty else f" = {parameter.default!r}".replace("'", '"')
+        written.append(f"{stars}{parameter.name}: {parameter.annotation}{default}")
+    return written
+
+
+def _result(function: object) -> str:
+    assert callable(function)
+    return str(inspect.signature(function).return_annotation)
+
+
+def _signature(name: str, function: object) -> str:
+    return f"{name}({', '.join(_parameters(function, method=True))}) -> {_result(function)}"
+
+
+def _members(of: type) -> Iterator[str]:
+    for name, member in vars(of).items():
+        documented = getattr(member, "func", member)  # of a cached property
+        if name.startswith("_") or not (inspect.getdoc(documented) and hasattr(documented, "__doc__")):
+            continue
+        if inspect.isfunction(member):
+            yield f"### `{_signature(f'{of.__name__}.{name}', member)}`\n\n{_text(member)}\n"
+        elif isinstance(member, property) or documented is not member:
+            yield f"### `{of.__name__}.{name}`\n\n{_text(documented)}\n"
+
+
+def _reference() -> str:
+    functions = sorted(name for name in studies.__all__ if inspect.isfunction(getattr(studies, name)))
+    classes = sorted(name for name in studies.__all__ if inspect.isclass(getattr(studies, name)))
+    parts = [_HEAD]
+    for name in functions:
+        function = getattr(studies, name)
+        parts.append(f"## rsal.{name}\n\n```python\n{_wrapped(name, function)}\n```\n\n{_text(function)}\n")
+    for name in classes:
+        described = getattr(studies, name)
+        parts.append(f"## {name}\n\n{_text(described)}\n")
+        parts += _members(described)
+    return re.sub(r"\n{3,}", "\n\n", "\n".join(parts))
+
+
+def _wrapped(name: str, function: object) -> str:
+    """Return a signature with a parameter a line."""
+    lines = "".join(f"    {each},\n" for each in _parameters(function, method=False))
+    return f"{name}(\n{lines}) -> {_result(function)}"
+
+
+def test_it_is_that_of_the_docstrings() -> None:
+    text = _reference()
+    if os.environ.get("RSAL_UPDATE") == "true":
+        _FILE.write_text(text, encoding="utf-8")
+    assert _FILE.read_text(encoding="utf-8") == text, (
+        "Write it by: RSAL_UPDATE=true python -m pytest tests/test_reference.py"
+    )
+
+
+def test_all_that_is_public_has_a_docstring() -> None:
+    for name in studies.__all__:
+        assert (inspect.getdoc(getattr(studies, name)) or "").strip(), name
