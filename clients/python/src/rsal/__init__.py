@@ -12,15 +12,21 @@ _NAMES = {
     "RsalError": "rsal.launch",
     "connect": "rsal.studies",
     "load": "rsal.studies",
+    "make_vec": "rsal.env",
+    "parallel_env": "rsal.env",
     "report": "rsal.studies",
     "rows": "rsal.studies",
     "run": "rsal.studies",
     "serve": "rsal.studies",
+    "single_env": "rsal.env",
     "sweep": "rsal.studies",
 }
 
 TYPE_CHECKING = False  # type checkers know better; the module typing would take most of the time of this import
 if TYPE_CHECKING:
+    from rsal.env import make_vec as make_vec
+    from rsal.env import parallel_env as parallel_env
+    from rsal.env import single_env as single_env
     from rsal.launch import RsalError as RsalError
     from rsal.studies import connect as connect
     from rsal.studies import load as load

@@ -32,7 +32,7 @@ class Drawing:
         shown[:] = _UNKNOWN
         shown[free] = _BACKGROUND
         shown[wall] = _WALL
-        self._floor = np.ascontiguousarray(shown[::-1].repeat(grow, 0).repeat(grow, 1))
+        self._floor: Picture = np.ascontiguousarray(shown[::-1].repeat(grow, 0).repeat(grow, 1))
         self._scale = grow / (resolution * shrink)  # pixels per m
         layout = worlds.layout
         roles = list(dict.fromkeys(layout.robots.values()))
@@ -41,7 +41,7 @@ class Drawing:
 
     def draw(self, poses: npt.NDArray[np.float32]) -> Picture:
         """Return a picture by rows from above, with red, green and blue from 0 to 255."""
-        picture = self._floor.copy()
+        picture: Picture = self._floor.copy()
         height = picture.shape[0]
         radius = max(_LEAST, _RADIUS * self._scale)
         for (x, y, theta), color, learns in zip(poses, self._colors, self._learns, strict=True):

@@ -18,7 +18,7 @@ from rsal.env._worlds import Floats
 from rsal.launch import RsalError
 
 
-class ParallelScenario(ParallelEnv[str, Floats, Any]):
+class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
     """Robots of one role learn together. All learners act in each step, until the episode ends for all of them."""
 
     metadata: ClassVar[dict[str, Any]] = {"render_modes": ["rgb_array"], "is_parallelizable": True, "render_fps": 10}
@@ -45,7 +45,7 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):
         return _made, self._made
 
     @property
-    def possible_agents(self) -> list[str]:  # type: ignore[override]
+    def possible_agents(self) -> list[str]:
         """Ids of the robots that learn."""
         return list(self._episodes.layout.learners)
 
@@ -69,7 +69,9 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):
         return self._episodes.layout.fields
 
     def reset(
-        self, seed: int | None = None, options: dict[str, Any] | None = None
+        self,
+        seed: int | None = None,
+        options: dict[str, Any] | None = None,  # noqa: ARG002 - of the interface
     ) -> tuple[dict[str, Floats], dict[str, dict[str, Any]]]:
         """Begin an episode. Without a seed, it gets the next one of the generator that the last seed has set."""
         observed = self._episodes.reset(None if seed is None else [seed])
@@ -82,9 +84,7 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):
 
     def step(
         self, actions: dict[str, Any]
-    ) -> tuple[
-        dict[str, Floats], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]
-    ]:
+    ) -> tuple[dict[str, Floats], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
         """Act, and simulate the time of a step."""
         agents = self.agents
         if not agents:
@@ -156,5 +156,5 @@ def parallel_env(
     :param max_steps: steps of the environment after which an episode is truncated
     :param arguments: arguments of the scenario, for a curriculum
     """
-    spec = Spec.of(scenario, learners, observe, act, steps, arguments)
+    spec = Spec.of(scenario=scenario, learners=learners, observe=observe, act=act, steps=steps, arguments=arguments)
     return ParallelScenario(spec, reward=reward, max_steps=max_steps, render_mode=render_mode)

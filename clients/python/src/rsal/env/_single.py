@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, ClassVar
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -20,8 +20,6 @@ from rsal.launch import RsalError
 class SingleScenario(gymnasium.Env[Floats, Any]):
     """One robot learns."""
 
-    metadata: ClassVar[dict[str, Any]] = {"render_modes": ["rgb_array"], "render_fps": 10}
-
     def __init__(
         self,
         spec: Spec,
@@ -32,6 +30,7 @@ class SingleScenario(gymnasium.Env[Floats, Any]):
     ) -> None:
         if render_mode not in (None, "rgb_array"):
             raise RsalError(f"render_mode must be 'rgb_array' or None, not '{render_mode}'.")
+        self.metadata = {"render_modes": ["rgb_array"], "render_fps": 10}
         self.render_mode = render_mode
         self._episodes = Episodes(spec, 1, 1, reward, max_steps)
         self._drawing: Drawing | None = None
@@ -39,7 +38,7 @@ class SingleScenario(gymnasium.Env[Floats, Any]):
         if len(layout.learners) != 1:
             self.close()
             raise RsalError(
-                f"The role '{spec.learners}' has {len(layout.learners)} robots, and an environment of Gymnasium has one. "
+                f"The role '{spec.learners}' has {len(layout.learners)} robots, and Gymnasium needs one. "
                 "Use parallel_env, or an argument of the scenario for one robot."
             )
         self.observation_space = observation_space(layout)
@@ -50,7 +49,12 @@ class SingleScenario(gymnasium.Env[Floats, Any]):
         """What each number of an observation is, with its unit."""
         return self._episodes.layout.fields
 
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Floats, dict[str, Any]]:
+    def reset(
+        self,
+        *,
+        seed: int | None = None,
+        options: dict[str, Any] | None = None,  # noqa: ARG002 - of the interface
+    ) -> tuple[Floats, dict[str, Any]]:
         """Begin an episode. Without a seed, it gets the next one of the generator that the last seed has set."""
         super().reset(seed=seed)
         return self._episodes.reset(None if seed is None else [seed])[0, 0].copy(), {}
@@ -66,7 +70,7 @@ class SingleScenario(gymnasium.Env[Floats, Any]):
             done.endings.get(0, {}),
         )
 
-    def render(self) -> Picture | None:  # type: ignore[override]
+    def render(self) -> Picture | None:
         """Return a picture of the map and the robots, if the render mode is ``rgb_array``."""
         if self.render_mode is None:
             return None
@@ -94,5 +98,5 @@ def single_env(
     render_mode: str | None = None,
 ) -> SingleScenario:
     """Make a scenario with one learner an environment of Gymnasium; parameters are those of :func:`parallel_env`."""
-    spec = Spec.of(scenario, learners, observe, act, steps, arguments)
+    spec = Spec.of(scenario=scenario, learners=learners, observe=observe, act=act, steps=steps, arguments=arguments)
     return SingleScenario(spec, reward=reward, max_steps=max_steps, render_mode=render_mode)

@@ -13,17 +13,20 @@ class Observe:
     """What learners observe: each of these gives some numbers of an observation."""
 
     @staticmethod
-    def ranges(*, sectors: int = 36, max: float = 8.0, device: str = "") -> Words:
+    def ranges(*, sectors: int = 36, reach: float = 8.0, device: str = "") -> Words:
         """Observe ranges of a laser or of sonars [m]: of each sector the least one, from right to left.
 
-        Nothing in reach, and no reading, are ``max``. ``device`` is the name of the sensor; the first one by default.
+        Nothing in reach, and no reading, are ``reach``. ``device`` is the name of the sensor; the first one by default.
         """
-        return {"type": "ranges", "sectors": sectors, "max": max, "device": device}
+        return {"type": "ranges", "sectors": sectors, "max": reach, "device": device}
 
     @staticmethod
-    def pose(*, source: str = "localizer", max: float = 100.0) -> Words:
-        """Observe the position in the map [m], and cosine and sine of the heading: by the ``localizer`` or the ``truth``."""
-        return {"type": "pose", "from": source, "max": max}
+    def pose(*, source: str = "localizer", reach: float = 100.0) -> Words:
+        """Observe the position in the map [m], and cosine and sine of the heading.
+
+        ``source`` is the ``localizer`` or the ``truth``. Coordinates beyond ``reach`` count as this one.
+        """
+        return {"type": "pose", "from": source, "max": reach}
 
     @staticmethod
     def velocity() -> Words:
@@ -31,14 +34,17 @@ class Observe:
         return {"type": "velocity"}
 
     @staticmethod
-    def nearest(role: str = "", *, count: int = 1, max: float = 100.0) -> Words:
-        """Observe where the nearest other robots are, by the truth: x and y in the base frame [m], and 1 if it exists."""
-        return {"type": "nearest", "role": role, "count": count, "max": max}
+    def nearest(role: str = "", *, count: int = 1, reach: float = 100.0) -> Words:
+        """Observe the nearest other robots, by the truth: x and y in the base frame [m], and 1 if there is one.
+
+        Robots that are farther than ``reach`` do not count; walls do not hide robots.
+        """
+        return {"type": "nearest", "role": role, "count": count, "max": reach}
 
     @staticmethod
-    def place(x: float, y: float, *, max: float = 100.0) -> Words:
+    def place(x: float, y: float, *, reach: float = 100.0) -> Words:
         """Observe where a place of the map is, by the truth: x and y in the base frame [m]."""
-        return {"type": "place", "x": x, "y": y, "max": max}
+        return {"type": "place", "x": x, "y": y, "max": reach}
 
 
 class Act:
@@ -81,6 +87,7 @@ class Spec:
     @classmethod
     def of(
         cls,
+        *,
         scenario: str,
         learners: str,
         observe: Sequence[str | Mapping[str, Any]] | None,

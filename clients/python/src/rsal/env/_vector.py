@@ -98,6 +98,9 @@ def make_vec(
     threads: int | None = None,
     arguments: Mapping[str, Any] | None = None,
 ) -> VectorScenario:
-    """Make many worlds of a scenario; parameters are those of :func:`parallel_env`, and ``threads`` simulate at once."""
-    spec = Spec.of(scenario, learners, observe, act, steps, arguments)
+    """Make many worlds of a scenario, of which ``threads`` are simulated at once.
+
+    All other parameters are those of :func:`parallel_env`.
+    """
+    spec = Spec.of(scenario=scenario, learners=learners, observe=observe, act=act, steps=steps, arguments=arguments)
     return VectorScenario(spec, num_envs, threads=threads, reward=reward, max_steps=max_steps)

@@ -27,7 +27,7 @@ class View:
     new_collisions: Integers
     """The same in this step."""
     time: float
-    """Simulated time of the episode [s]."""
+    """Simulated time since the first observation [s]."""
     outcome: str
     """How the scenario ended the episode; empty while it goes on."""
     metrics: Callable[[], dict[str, float]] = field(repr=False)

@@ -8,7 +8,7 @@ import tempfile
 import weakref
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import IO, Any
+from typing import IO, Any, BinaryIO, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -60,8 +60,7 @@ class Worlds:
             stderr=self._log,
             env=launch.environment(),
         )
-        assert self._process.stdin is not None and self._process.stdout is not None  # noqa: S101 - for type checkers
-        self._frames = Frames(self._process.stdout, self._process.stdin)
+        self._frames = Frames(cast(BinaryIO, self._process.stdout), cast(BinaryIO, self._process.stdin))
         self._end = weakref.finalize(self, _end, self._process, self._log, self._owner)
         self.count = len(seeds)
         words = self._ask(spec.opening(seeds, threads))
@@ -149,7 +148,9 @@ class Worlds:
 
     def finish(self, world: int) -> dict[str, Any]:
         """End the episode of a world, and return its outcome, seconds, metrics and event hash."""
-        return self._ask({"request": "finish", "world": world})
+        words = self._ask({"request": "finish", "world": world})
+        words["event_hash"] = words.pop("eventHash")
+        return words
 
     def map(self) -> tuple[npt.NDArray[np.int8], float, tuple[float, float]]:
         """Return the cells of the map by rows from below, the side of a cell [m], and the lower left corner [m]."""

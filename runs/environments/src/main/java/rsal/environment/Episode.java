@@ -62,7 +62,8 @@ public final class Episode implements AutoCloseable {
         }
     }
 
-    /// Makes the robots and agents of an episode.
+    /// Makes the robots and agents of an episode, and simulates the first step of the scenario, in which learners stand:
+    /// after it, all sensors have measured.
     ///
     /// @throws rsal.settings.InvalidSettings when the scenario has mistakes
     /// @throws IllegalArgumentException when a robot lacks what an observation or an action needs
@@ -71,6 +72,7 @@ public final class Episode implements AutoCloseable {
         RunPlan plan = blueprint.plan(seed, type);
         SteppedRun run = SteppedRun.begin(plan);
         try {
+            run.advance(1);
             return new Episode(blueprint, plan, run, type);
         } catch (RuntimeException | Error e) {
             run.close();
