@@ -1,0 +1,79 @@
+package rsal.python;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.net.URL;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/// The Python that runs agents: the one that `-Drsal.python` or `RSAL_PYTHON` names, else `python3`, `python` or `py`
+/// of the `PATH`. It gets RSAL's own modules from where this class is: a folder, or a jar, of which Python reads as
+/// well.
+final class Interpreter {
+    static final String PROPERTY = "rsal.python";
+    static final String VARIABLE = "RSAL_PYTHON";
+    private static final List<String> NAMES = List.of("python3", "python3.exe", "py.exe", "python.exe", "python");
+    private static final String RUN = "import sys; sys.path[0] = sys.argv[1]; from rsal.agents.%s import main; main()";
+
+    private Interpreter() {}
+
+    /// Starts it with a module of RSAL's own, which talks by frames.
+    ///
+    /// @param module of `rsal.agents`
+    /// @throws IOException when it can't be started
+    static Process start(String module) throws IOException {
+        String python = command().orElseThrow(() -> new IOException("there is no 'python3' on the PATH"));
+        var builder = new ProcessBuilder(python, "-X", "utf8", "-c", RUN.formatted(module), home());
+        builder.environment().put("PYTHONHASHSEED", "0"); // else sets of texts have another order in each process
+        builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
+        return builder.start();
+    }
+
+    private static Optional<String> command() {
+        return Stream.of(
+                        Optional.ofNullable(System.getProperty(PROPERTY)),
+                        Optional.ofNullable(System.getenv(VARIABLE)),
+                        onPath())
+                .flatMap(Optional::stream)
+                .filter(named -> !named.isBlank())
+                .findFirst();
+    }
+
+    private static Optional<String> onPath() {
+        String path = Objects.requireNonNullElse(System.getenv("PATH"), "");
+        return NAMES.stream()
+                .flatMap(name -> Stream.of(path.split(File.pathSeparator))
+                        .filter(folder -> !folder.isBlank())
+                        .map(folder -> Path.of(folder, name)))
+                .filter(Files::isExecutable)
+                .filter(Files::isRegularFile)
+                .map(Path::toString)
+                .findFirst();
+    }
+
+    /// Where Python finds the package `rsal`: a folder, or a place in a jar.
+    private static String home() {
+        URL marker = Objects.requireNonNull(
+                Interpreter.class.getResource("/python/rsal/protocol.py"), "Python's side is beside this class.");
+        try {
+            if (marker.getProtocol().equals("jar")) {
+                String inside = marker.getPath();
+                int end = inside.indexOf("!/");
+                return Path.of(new URI(inside.substring(0, end)))
+                        .resolve("python")
+                        .toString();
+            }
+            return Objects.requireNonNull(Path.of(marker.toURI()).getParent().getParent())
+                    .toString();
+        } catch (URISyntaxException e) {
+            throw new UncheckedIOException(new IOException(marker.toString(), e));
+        }
+    }
+}
