@@ -1,9 +1,9 @@
 """Frames between RSAL in Java and Python, over pipes.
 
-A frame is the length of what follows its head, the length of its words (both as little-endian 32-bit integers), the words
-as a JSON object in UTF-8, and arrays as little-endian bytes. Where a value is an array, the words have an object
-``{"array": "f4", "at": 0, "count": 180}``: the type of its numbers as numpy names it, the first byte among the arrays, and
-how many numbers there are.
+A frame is the length of what follows its head, the length of its words (both as little-endian 32-bit integers), the
+words as a JSON object in UTF-8, and arrays as little-endian bytes. Where a value is an array, the words have an object
+``{"array": "f4", "at": 0, "count": 180}``: the type of its numbers as numpy names it, the first byte among the arrays,
+and how many numbers there are.
 """
 
 from __future__ import annotations

@@ -303,12 +303,13 @@ class Agent:
             Entry(each["name"], each["role"], each["type"], each["robot"], each["robotRole"], each["services"])
             for each in words
         ]
-        return [
-            each for each in found if role in ("", each.role) and (not offering or offering in each.services)
-        ]
+        return [each for each in found if role in ("", each.role) and (not offering or offering in each.services)]
 
     def on_departure(self, listener: Callable[[str, str], object]) -> Subscription:
-        """Calls a method with the name of each agent that goes, and why; the reason is empty when it ended as it should."""
+        """Calls a method with the name of each agent that goes, and why.
+
+        The reason is empty when it ended as it should.
+        """
         number = self._link.listen(lambda words, arrays: self._run(listener, words["name"], words["reason"]))
         self._link.do("departures", number)
         return Subscription(self, number)

@@ -11,7 +11,7 @@ import re
 import types
 import typing
 from collections.abc import Callable, Mapping
-from functools import lru_cache
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -39,7 +39,7 @@ def _float(words: Any, arrays: memoryview) -> float:
     return float(words)
 
 
-@lru_cache(maxsize=None)
+@cache
 def decoder(kind: Any) -> Decoder:
     """What makes values of an annotation, as ``list[Pose2d]``."""
     origin = typing.get_origin(kind)
@@ -88,7 +88,7 @@ def _dataclass(kind: Any) -> Decoder:
     return make
 
 
-@lru_cache(maxsize=None)
+@cache
 def _fields(kind: Any) -> list[tuple[str, str]]:
     return [(field.name, wire_name(field.name)) for field in dataclasses.fields(kind)]
 
@@ -114,5 +114,6 @@ def encode(value: Any) -> Any:
     if isinstance(value, (list, tuple)):
         return [encode(each) for each in value]
     raise TypeError(
-        f"A value of type '{type(value).__name__}' cannot be sent. Maybe use numbers, texts, lists, dicts or dataclasses."
+        f"A value of type '{type(value).__name__}' cannot be sent."
+        " Maybe use numbers, texts, lists, dicts or dataclasses."
     )

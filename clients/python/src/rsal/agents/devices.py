@@ -1,6 +1,7 @@
 """Devices of robots. Each is asked by four verbs: *latest*, *subscribe*, *command* and *goal*.
 
-Units are SI, angles in radians, frames as REP 105 has them. A goal is a :class:`Goal`: ``await`` it, or give it a listener.
+Units are SI, angles in radians, frames as REP 105 has them. A goal is a :class:`Goal`: ``await`` it, or give it a
+listener.
 """
 
 from __future__ import annotations
@@ -147,7 +148,11 @@ class DriveBase(Sensor[v.Odometry]):
     reading = v.Odometry
 
     def command(self, forward: float = 0.0, turn: float = 0.0, left: float = 0.0) -> None:
-        """Moves at this velocity until the next command: ahead [m/s], turning counter-clockwise [rad/s], to the left [m/s].
+        """Moves at this velocity until the next command.
+
+        :param forward: ahead [m/s]
+        :param turn: counter-clockwise [rad/s]
+        :param left: to the left [m/s]
 
         Without a new command the base stops by itself after 0.5 s.
         """
@@ -218,9 +223,7 @@ class Navigator(Device):
 
     def go_to(
         self, map_from_goal: v.Pose2d, distance: float = 0.4, angle: float = 0.17453292519943295
-    ) -> Goal[
-        v.NavigatorProgress, v.NavigatorReached | v.NavigatorCancelled | v.NavigatorNoPath | v.NavigatorStuck
-    ]:
+    ) -> Goal[v.NavigatorProgress, v.NavigatorReached | v.NavigatorCancelled | v.NavigatorNoPath | v.NavigatorStuck]:
         """Drives to a goal. A new goal cancels the one under way.
 
         :param distance: how far it may end from the goal [m]
@@ -283,9 +286,7 @@ class Planner(Device):
         self, map_from_start: v.Pose2d, map_from_goals: list[v.Pose2d], near: float = float("inf")
     ) -> Pending[list[float]]:
         """Costs of the paths to several places, in their order [m]; ``inf`` where there is none."""
-        found: Pending[list[float]] = self._later(
-            Pending(), list[float], "costs", map_from_start, map_from_goals, near
-        )
+        found: Pending[list[float]] = self._later(Pending(), list[float], "costs", map_from_start, map_from_goals, near)
         return found
 
 
@@ -554,8 +555,7 @@ class Robot:
         self.role: str = words["role"]
         self.model: str = words["model"]
         self.devices: list[Device] = [
-            CONTRACTS.get(each["contract"], Device)(agent, each["index"], each["name"])
-            for each in words["devices"]
+            CONTRACTS.get(each["contract"], Device)(agent, each["index"], each["name"]) for each in words["devices"]
         ]
 
     def find(self, kind: type[D], name: str = "") -> D | None:

@@ -69,7 +69,8 @@ class ScanMethods:
     @property
     def angles(self: LaserScan) -> npt.NDArray[np.float64]:  # type: ignore[misc]
         """Direction of each beam in the laser's frame, counter-clockwise [rad]."""
-        return self.angle_min + self.angle_increment * np.arange(len(self.ranges))
+        beams = np.arange(len(self.ranges), dtype=np.float64)
+        return np.asarray(self.angle_min + self.angle_increment * beams, dtype=np.float64)
 
     def sector(self: LaserScan, right: float, left: float) -> npt.NDArray[np.float32]:  # type: ignore[misc]
         """Ranges of the beams between two directions in the robot's frame [rad], 0 ahead, positive to the left [m].

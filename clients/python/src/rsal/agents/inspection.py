@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 import difflib
-import importlib.util
 import sys
 from typing import Any
 
@@ -14,7 +13,7 @@ KINDS = {"float": "NUMBER", "int": "INTEGER", "str": "TEXT", "bool": "FLAG"}
 KEYWORDS = ["min", "max", "unit", "choices", "robots", "description"]
 
 
-class _Mistake(Exception):
+class _InvalidFileError(Exception):
     def __init__(self, node: ast.AST, message: str, remedy: str = "") -> None:
         super().__init__(message)
         self.words = problem(getattr(node, "lineno", 1), getattr(node, "col_offset", 0) + 1, message, remedy)
@@ -25,25 +24,21 @@ def problem(line: int, column: int, message: str, remedy: str = "") -> dict[str,
 
 
 def inspect(text: str, name: str, wanted: str) -> dict[str, Any]:
-    """What there is to know of an agent: ``class``, ``description``, ``parameters``, ``needs``, ``imports``; or ``problems``.
+    """What there is to know of an agent: ``class``, ``description``, ``parameters`` and ``needs``; or ``problems``.
 
     :param name: of the file
     :param wanted: name of the class; empty when there is one only
     """
-    if importlib.util.find_spec("numpy") is None:
-        return {"problems": [problem(1, 1, "Agents in Python need the package 'numpy'.", "pip install numpy")]}
     try:
         tree = ast.parse(text, name)
     except SyntaxError as mistake:
-        return {
-            "problems": [problem(mistake.lineno or 1, mistake.offset or 1, f"This is not Python: {mistake.msg}.")]
-        }
+        return {"problems": [problem(mistake.lineno or 1, mistake.offset or 1, f"This is not Python: {mistake.msg}.")]}
     except ValueError as mistake:  # a null byte
         return {"problems": [problem(1, 1, f"This is not Python: {mistake}.")]}
     problems: list[dict[str, Any]] = []
     try:
         agent = _agent(tree, wanted)
-    except _Mistake as mistake:
+    except _InvalidFileError as mistake:
         return {"problems": [mistake.words]}
     parameters: dict[str, Any] = {}
     needs: list[Any] = []
@@ -51,7 +46,7 @@ def inspect(text: str, name: str, wanted: str) -> dict[str, Any]:
         for statement in each.body:
             try:
                 _read(statement, parameters, needs)
-            except _Mistake as mistake:
+            except _InvalidFileError as mistake:
                 problems.append(mistake.words)
     if problems:
         return {"problems": problems}
@@ -92,14 +87,12 @@ def _line_of(agent: ast.ClassDef, classes: dict[str, ast.ClassDef]) -> list[ast.
 def _agent(tree: ast.Module, wanted: str) -> ast.ClassDef:
     classes = _classes(tree)
     agents = {
-        name: each
-        for name, each in classes.items()
-        if any("Agent" in _bases(one) for one in _line_of(each, classes))
+        name: each for name, each in classes.items() if any("Agent" in _bases(one) for one in _line_of(each, classes))
     }
     if wanted:
         if wanted in agents:
             return agents[wanted]
-        raise _Mistake(
+        raise _InvalidFileError(
             classes.get(wanted, tree.body[0] if tree.body else tree),
             f"There is no class '{wanted}' that inherits from 'rsal.Agent' in this file.",
             _known(wanted, list(agents)),
@@ -107,13 +100,13 @@ def _agent(tree: ast.Module, wanted: str) -> ast.ClassDef:
     inherited = {base for each in agents.values() for base in _bases(each)}
     leaves = [each for name, each in agents.items() if name not in inherited]
     if not leaves:
-        raise _Mistake(
+        raise _InvalidFileError(
             tree,
             "This file has no class that inherits from 'rsal.Agent'.",
             "Write 'import rsal' and 'class Hunter(rsal.Agent):'.",
         )
     if len(leaves) > 1:
-        raise _Mistake(
+        raise _InvalidFileError(
             leaves[1],
             f"This file has several agents: {', '.join(each.name for each in leaves)}.",
             f"Name one of them in the scenario, as 'type: FILE.py:{leaves[0].name}'.",
@@ -136,7 +129,7 @@ def _read(statement: ast.stmt, parameters: dict[str, Any], needs: list[Any]) -> 
             needs[:] = [_device(each) for each in _items(statement.value)]
         elif isinstance(statement.value, ast.Call) and _name(statement.value.func) == "Param":
             if isinstance(statement, ast.Assign):
-                raise _Mistake(
+                raise _InvalidFileError(
                     statement,
                     f"Parameter '{target.id}' has no type.",
                     f"Write '{target.id}: float = Param(…)', or int, str or bool.",
@@ -150,13 +143,15 @@ def _name(node: ast.AST) -> str:
 
 def _items(node: ast.expr) -> list[ast.expr]:
     if not isinstance(node, (ast.List, ast.Tuple)):
-        raise _Mistake(node, "'needs' is a list of devices.", "Write 'needs = [LaserScanner, Navigator]'.")
+        raise _InvalidFileError(node, "'needs' is a list of devices.", "Write 'needs = [LaserScanner, Navigator]'.")
     return node.elts
 
 
 def _device(node: ast.expr) -> list[Any]:
     if not _name(node):
-        raise _Mistake(node, "'needs' has names of devices only.", "Write 'needs = [LaserScanner, Navigator]'.")
+        raise _InvalidFileError(
+            node, "'needs' has names of devices only.", "Write 'needs = [LaserScanner, Navigator]'."
+        )
     return [_name(node), node.lineno, node.col_offset + 1]
 
 
@@ -164,7 +159,7 @@ def _literal(node: ast.expr, what: str) -> Any:
     try:
         return ast.literal_eval(node)
     except (ValueError, TypeError, SyntaxError):
-        raise _Mistake(
+        raise _InvalidFileError(
             node,
             f"{what} is not a literal: '{ast.unparse(node)}'.",
             "RSAL reads it without running the file: write the number or the text itself.",
@@ -174,14 +169,16 @@ def _literal(node: ast.expr, what: str) -> Any:
 def _parameter(name: str, statement: ast.AnnAssign, call: ast.Call) -> dict[str, Any]:
     kind = KINDS.get(ast.unparse(statement.annotation).strip("'\""))
     if kind is None:
-        raise _Mistake(
+        raise _InvalidFileError(
             statement.annotation,
             f"A parameter cannot have the type '{ast.unparse(statement.annotation)}'.",
             "Types are float, int, str and bool.",
         )
     found: dict[str, Any] = {"name": name, "kind": kind, "line": statement.lineno, "column": statement.col_offset + 1}
     if len(call.args) > 1:
-        raise _Mistake(call.args[1], "'Param' has one default; all else has a name.", "Write 'min=0, unit=\"m\"'.")
+        raise _InvalidFileError(
+            call.args[1], "'Param' has one default; all else has a name.", "Write 'min=0, unit=\"m\"'."
+        )
     if call.args:
         found["default"] = _literal(call.args[0], f"The default of '{name}'")
     for keyword in call.keywords:
@@ -190,7 +187,7 @@ def _parameter(name: str, statement: ast.AnnAssign, call: ast.Call) -> dict[str,
         elif keyword.arg in KEYWORDS:
             found[keyword.arg] = _literal(keyword.value, f"'{keyword.arg}' of '{name}'")
         else:
-            raise _Mistake(
+            raise _InvalidFileError(
                 keyword.value, f"'Param' has no '{keyword.arg}'.", _known(str(keyword.arg), ["default", *KEYWORDS])
             )
     _check(found, call)
@@ -202,26 +199,31 @@ def _check(found: dict[str, Any], call: ast.Call) -> None:
     number = kind in ("NUMBER", "INTEGER")
     for bound in ("min", "max"):
         if bound in found and (not number or not isinstance(found[bound], (int, float))):
-            raise _Mistake(call, f"'{bound}' of '{name}' must be a number, of a parameter that is one.")
+            raise _InvalidFileError(call, f"'{bound}' of '{name}' must be a number, of a parameter that is one.")
     for text in ("unit", "description"):
         if not isinstance(found.get(text, ""), str):
-            raise _Mistake(call, f"'{text}' of '{name}' must be a text.")
+            raise _InvalidFileError(call, f"'{text}' of '{name}' must be a text.")
     choices = found.get("choices", [])
     if not isinstance(choices, (list, tuple)) or not all(isinstance(each, str) for each in choices):
-        raise _Mistake(call, f"'choices' of '{name}' must be a list of texts.")
+        raise _InvalidFileError(call, f"'choices' of '{name}' must be a list of texts.")
     found["choices"] = list(choices)
     if (found.get("robots") or found["choices"]) and kind != "TEXT":
-        raise _Mistake(call, f"'{name}' names robots or has choices, so its type must be 'str'.")
+        raise _InvalidFileError(call, f"'{name}' names robots or has choices, so its type must be 'str'.")
     if "default" in found:
         default = found["default"]
-        kinds: dict[str, tuple[type, ...]] = {"NUMBER": (int, float), "INTEGER": (int,), "TEXT": (str,), "FLAG": (bool,)}
+        kinds: dict[str, tuple[type, ...]] = {
+            "NUMBER": (int, float),
+            "INTEGER": (int,),
+            "TEXT": (str,),
+            "FLAG": (bool,),
+        }
         fits = isinstance(default, kinds[kind]) and (kind == "FLAG") == isinstance(default, bool)
         if fits and number:
             fits = found.get("min", default) <= default <= found.get("max", default)
         if fits and found["choices"]:
             fits = default in found["choices"]
         if not fits:
-            raise _Mistake(call, f"The default of '{name}' does not fit: '{default}'.")
+            raise _InvalidFileError(call, f"The default of '{name}' does not fit: '{default}'.")
 
 
 def main() -> None:

@@ -9,7 +9,7 @@ import enum
 from dataclasses import dataclass
 from typing import ClassVar
 
-from rsal.agents.values import End, Point2d, Pose2d, Rgb
+from rsal.agents.values import Point2d, Pose2d, Rgb
 
 
 @dataclass(frozen=True, slots=True)
@@ -223,7 +223,7 @@ class Lookout:
 
 
 @dataclass(frozen=True, slots=True)
-class End:
+class MapEndsEnd:
     """Where what is free meets what nobody has seen.
 
     :param length: of that [m]
@@ -244,7 +244,7 @@ class MapEnds:
     topic: ClassVar[str] = "map-ends"
 
     robot: str
-    ends: list[End]
+    ends: list[MapEndsEnd]
 
 
 @dataclass(frozen=True, slots=True)

@@ -36,8 +36,8 @@ class Parameter:
 def Param(  # noqa: N802 - declares, as a type would
     default: Any = REQUIRED,
     *,
-    min: float | None = None,  # noqa: A002
-    max: float | None = None,  # noqa: A002
+    min: float | None = None,
+    max: float | None = None,
     unit: str = "",
     choices: list[str] | None = None,
     robots: bool = False,

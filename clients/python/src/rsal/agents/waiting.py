@@ -1,4 +1,4 @@
-"""What agents wait for, in the time of the run. There is no event loop: a coroutine goes on in the turn of its agent."""
+"""What agents wait for, in the time of the run. A coroutine goes on in the turn of its agent; no event loop is used."""
 
 from __future__ import annotations
 

@@ -182,7 +182,7 @@ class Worker:
             for task in list(agent._tasks):
                 try:
                     task.close()
-                except BaseException:  # noqa: BLE001 - it has ended; nobody waits for what it says
+                except BaseException:  # it has ended; nobody waits for what it says
                     traceback.print_exc()
 
     def _take(self, words: dict[str, Any], arrays: memoryview) -> dict[str, Any]:
@@ -236,7 +236,7 @@ class Worker:
         stack = traceback.extract_tb(mistake.__traceback__)
         own = [frame for frame in stack if frame.filename in self.files.paths]
         others = [frame for frame in stack if not frame.filename.startswith((HOME, "<frozen"))]
-        where = (own or others or [None])[-1]
+        where = next(reversed(own or others), None)
         words = f"{type(mistake).__name__}: {mistake}" if str(mistake) else type(mistake).__name__
         if isinstance(mistake, SyntaxError) and mistake.filename:
             words = f"{mistake.filename}:{mistake.lineno}: SyntaxError: {mistake.msg}"
@@ -245,13 +245,8 @@ class Worker:
         return {"message": words, "frames": [[each.filename, each.lineno or 0, each.name] for each in reversed(stack)]}
 
 
-def main() -> None:
-    """Takes the pipes for frames: what else is read finds nothing, what else is written goes to stderr."""
-    source = os.fdopen(os.dup(0), "rb")
-    sink = os.fdopen(os.dup(1), "wb", buffering=0)
-    nothing = os.open(os.devnull, os.O_RDONLY)
-    os.dup2(nothing, 0)
-    os.dup2(2, 1)
-    worker = Worker(Frames(source, sink))
+def work(frames: Frames) -> None:
+    """Until RSAL ends the conversation."""
+    worker = Worker(frames)
     Watcher(worker).start()
     worker.work()

@@ -52,9 +52,23 @@ final class FromWords {
     /// A message of people's own, which nobody can change.
     static Map<?, ?> map(Object words) {
         if (words instanceof Map<?, ?> map) {
-            return Collections.unmodifiableMap(new LinkedHashMap<>(map));
+            var all = new LinkedHashMap<Object, @Nullable Object>();
+            map.forEach((name, each) -> all.put(name, unchanged(each)));
+            return Collections.unmodifiableSequencedMap(all);
         }
         throw new IllegalArgumentException("'%s' is no dict.".formatted(words));
+    }
+
+    private static @Nullable Object unchanged(@Nullable Object words) {
+        return switch (words) {
+            case Map<?, ?> map -> map(map);
+            case List<?> list -> {
+                var all = new ArrayList<@Nullable Object>();
+                list.forEach(each -> all.add(unchanged(each)));
+                yield Collections.unmodifiableList(all);
+            }
+            case null, default -> words;
+        };
     }
 
     /// @throws IllegalArgumentException when it can't be that

@@ -3,6 +3,7 @@ package rsal.python;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import rsal.agent.Agent;
 import rsal.agent.AgentType;
 import rsal.device.Device;
@@ -77,11 +78,13 @@ record PythonType(
                         text(found, "unit"),
                         about);
             case "INTEGER" ->
-                Parameter.integer(
+                new Parameter<Integer>(
                         name,
-                        fallback == null ? 0 : (long) FromWords.number(fallback),
-                        (long) bound(found, "min", Long.MIN_VALUE),
-                        (long) bound(found, "max", Long.MAX_VALUE),
+                        Parameter.Kind.INTEGER,
+                        Optional.of(fallback == null ? 0L : (long) FromWords.number(fallback)),
+                        bound(found, "min", Double.NEGATIVE_INFINITY),
+                        bound(found, "max", Double.POSITIVE_INFINITY),
+                        List.of(),
                         text(found, "unit"),
                         about);
             case "FLAG" -> Parameter.flag(name, Boolean.TRUE.equals(fallback), about);

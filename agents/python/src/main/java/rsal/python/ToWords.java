@@ -10,11 +10,16 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.SequencedMap;
+import java.util.SequencedSet;
+import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.core.JsonGenerator;
@@ -109,12 +114,12 @@ final class ToWords {
             case Duration duration -> words.writeNumber(seconds(duration));
             case Collection<?> all -> {
                 words.writeStartArray();
-                all.forEach(this::write);
+                inOrder(all).forEach(this::write);
                 words.writeEndArray();
             }
             case Map<?, ?> map -> {
                 words.writeStartObject();
-                map.forEach((name, each) -> put(String.valueOf(name), each));
+                inOrder(map).forEach((name, each) -> put(String.valueOf(name), each));
                 words.writeEndObject();
             }
             case float[] numbers -> {
@@ -142,6 +147,22 @@ final class ToWords {
             case Record made -> fields(made);
             default -> words.writeString(value.toString());
         }
+    }
+
+    /// By name, where a map has no order of its own: that of [Map#of] is another one in each process.
+    private static Map<?, ?> inOrder(Map<?, ?> map) {
+        if (map instanceof SequencedMap) {
+            return map;
+        }
+        var sorted = new TreeMap<String, @Nullable Object>();
+        map.forEach((name, each) -> sorted.put(String.valueOf(name), each));
+        return sorted;
+    }
+
+    private static Collection<?> inOrder(Collection<?> all) {
+        return all instanceof Set && !(all instanceof SequencedSet)
+                ? all.stream().sorted(Comparator.comparing(String::valueOf)).toList()
+                : all;
     }
 
     private void array(String type, int count) {

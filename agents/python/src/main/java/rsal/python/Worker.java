@@ -60,7 +60,7 @@ final class Worker {
     private Worker(Object run) {
         this.run = run;
         try {
-            this.process = Interpreter.start("worker");
+            this.process = Interpreter.start("process");
         } catch (IOException e) {
             throw new PythonFailure("Python can't be run: %s.".formatted(e.getMessage()));
         }
@@ -68,6 +68,9 @@ final class Worker {
         this.errors = Thread.ofPlatform().daemon().name("python-errors").start(this::readErrors);
         try {
             Map<?, ?> hello = frames.read();
+            if (hello.get("error") instanceof String why) {
+                throw new PythonFailure(why);
+            }
             if (!hello.get("protocol").equals(Frames.VERSION) || !"little".equals(hello.get("order"))) {
                 throw new PythonFailure("Python's side does not fit to this version of RSAL: %s.".formatted(hello));
             }

@@ -120,7 +120,14 @@ final class PythonSourceWriter {
     }
 
     /// `NavigatorReached` for `Navigator.Result.Reached`; its own name where that is clear.
-    private static String name(Class<?> type) {
+    private String name(Class<?> type) {
+        String name = shortName(type);
+        return imported.containsValue(name) || names.containsValue(name)
+                ? type.getDeclaringClass().getSimpleName() + name
+                : name;
+    }
+
+    private static String shortName(Class<?> type) {
         Class<?> outer = type.getDeclaringClass();
         if (outer == null) {
             return type.getSimpleName();

@@ -1,20 +1,22 @@
 """Hunter: goes for the newest pose of a prey until that has been caught, then for the next."""
 
+from __future__ import annotations
+
 import rsal
 from rsal.agents.devices import LaserScanner, Localizer, Navigator
 from rsal.agents.messages import Caught, Chase, PoseReport
-from rsal.agents.values import Pose2d
+from rsal.agents.values import LaserScan, Pose2d
 
 
 class Hunter(rsal.Agent):
     """Goes for the newest pose of a prey until that has been caught, then for the next."""
 
     prey: str = rsal.Param("prey", robots=True, description="Role of the robots to hunt, or id of the one.")
-    catch_distance: float = rsal.Param(1.5, min=0.8, unit="m", description="It stops when nearer to its prey than this.")
+    catch_distance: float = rsal.Param(1.5, min=0.8, unit="m", description="It stops when nearer to its prey.")
     period: float = rsal.Param(0.5, min=0.1, unit="s", description="Time between two messages with its pose.")
-    interval: float = rsal.Param(2.0, min=0.1, unit="s", description="How often it goes for the newest pose of its prey.")
+    interval: float = rsal.Param(2.0, min=0.1, unit="s", description="Time between two goals.")
 
-    needs = [LaserScanner, Localizer, Navigator]
+    needs = (LaserScanner, Localizer, Navigator)
 
     def __init__(self) -> None:
         self.target: str | None = None
@@ -41,18 +43,18 @@ class Hunter(rsal.Agent):
         if here:
             self.publish(PoseReport(self.robot.id, self.robot.role, here))
 
-    def on_scan(self, scan: "rsal.Stamped") -> None:
+    def on_scan(self, scan: rsal.Stamped[LaserScan]) -> None:
         self.ahead = scan.value.nearest(-0.5, 0.5)
 
-    def on_pose(self, message: "rsal.Message[PoseReport]") -> None:
+    def on_pose(self, message: rsal.Message[PoseReport]) -> None:
         report = message.content
         if self.prey in (report.robot, report.role) and report.robot not in self.caught:
             self.seen[report.robot] = report.map_from_base
 
-    def on_chase(self, message: "rsal.Message[Chase]") -> None:
+    def on_chase(self, message: rsal.Message[Chase]) -> None:
         self.chases[message.content.hunter] = message.content.prey
 
-    def on_caught(self, message: "rsal.Message[Caught]") -> None:
+    def on_caught(self, message: rsal.Message[Caught]) -> None:
         prey = message.content.prey
         self.caught.add(prey)
         self.seen.pop(prey, None)
@@ -60,7 +62,7 @@ class Hunter(rsal.Agent):
             self.target = None
             self.mind.reach(f"catch {prey}")
             self.robot.base.stop()
-            self.pursue()
+            self.spawn(self.pursue())
 
     def cost(self, prey: str, here: Pose2d) -> float:
         """One that others hunt is as if it were ten meters farther for each of them."""
