@@ -77,6 +77,12 @@ class ScanMethods:
 
         Ranges are as REP 117 has them: ``inf`` where nothing is, ``-inf`` where something is too close to measure.
         """
+        first = self.base_from_laser.theta + self.angle_min
+        step = self.angle_increment
+        count = len(self.ranges)
+        if step > 0 and first >= -math.pi and first + step * (count - 1) <= math.pi:
+            begin = max(0, math.ceil((right - first) / step))
+            return self.ranges[begin : max(begin, math.floor((left - first) / step) + 1)]
         bearings = (self.angles + self.base_from_laser.theta + math.pi) % (2 * math.pi) - math.pi
         return self.ranges[(bearings >= right) & (bearings <= left)]
 

@@ -156,27 +156,46 @@ final class FromWords {
                 .orElseThrow(() -> misfit(fields, type));
     }
 
+    /// How a record is made.
+    private record Shape(String[] names, Type[] types, Constructor<?> constructor) {
+        static Shape of(Class<?> type) {
+            RecordComponent[] components = Objects.requireNonNull(type.getRecordComponents(), type.getName());
+            try {
+                Constructor<?> constructor = type.getDeclaredConstructor(
+                        Stream.of(components).map(RecordComponent::getType).toArray(Class<?>[]::new));
+                constructor.trySetAccessible(); // of a record that is not public; public ones need nothing
+                return new Shape(
+                        Stream.of(components).map(RecordComponent::getName).toArray(String[]::new),
+                        Stream.of(components).map(RecordComponent::getGenericType).toArray(Type[]::new),
+                        constructor);
+            } catch (NoSuchMethodException e) {
+                throw new LinkageError("A record has a constructor for all of it.", e);
+            }
+        }
+    }
+
+    private static final ClassValue<Shape> SHAPES = new ClassValue<>() {
+        @Override
+        protected Shape computeValue(Class<?> type) {
+            return Shape.of(type);
+        }
+    };
+
     private static Object record(Map<?, ?> fields, Class<?> type) {
-        RecordComponent[] components = type.getRecordComponents();
-        if (components == null) {
+        if (!type.isRecord()) {
             throw misfit(fields, type);
         }
-        var types = new Class<?>[components.length];
-        var values = new Object[components.length];
-        for (int i = 0; i < components.length; i++) {
-            types[i] = components[i].getType();
-            values[i] = value(fields.get(components[i].getName()), components[i].getGenericType());
+        Shape shape = SHAPES.get(type);
+        var values = new Object[shape.names.length];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = value(fields.get(shape.names[i]), shape.types[i]);
         }
         try {
-            Constructor<?> constructor = type.getDeclaredConstructor(types);
-            constructor.trySetAccessible();
-            return constructor.newInstance(values);
+            return shape.constructor.newInstance(values);
         } catch (InvocationTargetException e) {
             throw new IllegalArgumentException(
                     "That is no '%s': %s"
-                            .formatted(
-                                    type.getSimpleName(),
-                                    Objects.requireNonNull(e.getCause()).getMessage()),
+                            .formatted(type.getSimpleName(), Objects.requireNonNull(e.getCause()).getMessage()),
                     e);
         } catch (ReflectiveOperationException e) {
             throw new IllegalArgumentException("Python can't make a '%s'.".formatted(type.getSimpleName()), e);

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agent.Directory;
@@ -30,6 +31,9 @@ import rsal.robot.Robot;
 /// Python has chosen.
 final class Requests implements Worker.Peer {
     private static final int ARGUMENTS = 2; // after verb and place
+
+    private static final Map<String, Topic<?>> INSTALLED =
+            Topics.installed().stream().collect(Collectors.toMap(Topic::name, topic -> topic));
 
     private final AgentContext self;
     private final Heard heard;
@@ -217,12 +221,9 @@ final class Requests implements Worker.Peer {
     }
 
     /// One that RSAL has, or one of people's own, whose messages are maps.
-    static Topic<?> topic(String name) {
-        return Topics.installed().stream()
-                .<Topic<?>>map(topic -> topic)
-                .filter(topic -> topic.name().equals(name))
-                .findFirst()
-                .orElseGet(() -> new Topic<>(name, Map.class));
+    private static Topic<?> topic(String name) {
+        Topic<?> installed = INSTALLED.get(name);
+        return installed == null ? new Topic<>(name, Map.class) : installed;
     }
 
     private <M> void publish(Topic<M> topic, @Nullable Object content) {
