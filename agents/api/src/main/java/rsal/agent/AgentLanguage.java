@@ -1,5 +1,6 @@
 package rsal.agent;
 
+import java.util.Optional;
 import java.util.Set;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
@@ -27,6 +28,11 @@ public interface AgentLanguage {
     /// anybody may have made.
     default boolean runsCode() {
         return false;
+    }
+
+    /// Why no file in it can be read on this machine, and what to do, in sentences; empty where they can be.
+    default Optional<String> unavailable() {
+        return Optional.empty();
     }
 
     /// Reads an agent's file.

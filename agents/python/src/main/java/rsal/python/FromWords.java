@@ -166,7 +166,9 @@ final class FromWords {
                 constructor.trySetAccessible(); // of a record that is not public; public ones need nothing
                 return new Shape(
                         Stream.of(components).map(RecordComponent::getName).toArray(String[]::new),
-                        Stream.of(components).map(RecordComponent::getGenericType).toArray(Type[]::new),
+                        Stream.of(components)
+                                .map(RecordComponent::getGenericType)
+                                .toArray(Type[]::new),
                         constructor);
             } catch (NoSuchMethodException e) {
                 throw new LinkageError("A record has a constructor for all of it.", e);
@@ -195,7 +197,9 @@ final class FromWords {
         } catch (InvocationTargetException e) {
             throw new IllegalArgumentException(
                     "That is no '%s': %s"
-                            .formatted(type.getSimpleName(), Objects.requireNonNull(e.getCause()).getMessage()),
+                            .formatted(
+                                    type.getSimpleName(),
+                                    Objects.requireNonNull(e.getCause()).getMessage()),
                     e);
         } catch (ReflectiveOperationException e) {
             throw new IllegalArgumentException("Python can't make a '%s'.".formatted(type.getSimpleName()), e);

@@ -24,12 +24,20 @@ final class Interpreter {
 
     private Interpreter() {}
 
+    /// Why there is none, and what to do; empty where one is named or found. One that is named may still be none.
+    static Optional<String> missing() {
+        return command().isPresent()
+                ? Optional.empty()
+                : Optional.of("There is no 'python3' on the PATH. Agents in Python need Python 3.10 or newer with numpy"
+                        + " (pip install numpy); RSAL_PYTHON=/path/to/python3 names one that is elsewhere.");
+    }
+
     /// Starts it with a module of RSAL's own, which talks by frames.
     ///
     /// @param module of `rsal.agents`
     /// @throws IOException when it can't be started
     static Process start(String module) throws IOException {
-        String python = command().orElseThrow(() -> new IOException("there is no 'python3' on the PATH"));
+        String python = command().orElseThrow(() -> new IOException(missing().orElseThrow()));
         var builder = new ProcessBuilder(python, "-X", "utf8", "-c", RUN.formatted(module), home());
         builder.environment().put("PYTHONHASHSEED", "0"); // else sets of texts have another order in each process
         builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");

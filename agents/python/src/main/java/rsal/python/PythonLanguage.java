@@ -1,5 +1,6 @@
 package rsal.python;
 
+import java.util.Optional;
 import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
 import rsal.settings.FileSource;
@@ -21,6 +22,11 @@ public final class PythonLanguage implements AgentLanguage {
     @Override
     public boolean runsCode() {
         return true;
+    }
+
+    @Override
+    public Optional<String> unavailable() {
+        return Interpreter.missing();
     }
 
     @Override

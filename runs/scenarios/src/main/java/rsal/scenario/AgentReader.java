@@ -17,6 +17,7 @@ import rsal.scenario.RunPlan.Mas;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.installed.Catalog;
+import rsal.scenario.installed.UnavailableType;
 import rsal.scenario.installed.UntrustedType;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
@@ -201,6 +202,11 @@ final class AgentReader {
         if (language.runsCode() && !files.isTrusted()) {
             files.read(file, Yaml.MAX_CHARACTERS, at); // it must be there
             return Optional.of(UntrustedType.of(file, agent.section(Format.PARAMETERS)));
+        }
+        Optional<String> unavailable = language.unavailable();
+        if (unavailable.isPresent()) {
+            files.read(file, Yaml.MAX_CHARACTERS, at); // it must be there
+            return Optional.of(UnavailableType.of(file, agent.section(Format.PARAMETERS), at, unavailable.get()));
         }
         try {
             return Optional.of(language.read(file, files, at));
