@@ -30,18 +30,18 @@ final class FromWords {
 
     private FromWords() {}
 
-    static Duration seconds(Object words) {
+    static Duration seconds(@Nullable Object words) {
         return Duration.ofNanos(Math.round(number(words) * NANOS));
     }
 
-    static double number(Object words) {
+    static double number(@Nullable Object words) {
         if (words instanceof Number number) {
             return number.doubleValue();
         }
         throw new IllegalArgumentException("'%s' is no number.".formatted(words));
     }
 
-    static int integer(Object words) {
+    static int integer(@Nullable Object words) {
         double number = number(words);
         if (number != Math.rint(number) || Math.abs(number) > Integer.MAX_VALUE) {
             throw new IllegalArgumentException("'%s' is no whole number.".formatted(words));
@@ -50,13 +50,20 @@ final class FromWords {
     }
 
     /// A message of people's own, which nobody can change.
-    static Map<?, ?> map(Object words) {
+    static Map<?, ?> map(@Nullable Object words) {
         if (words instanceof Map<?, ?> map) {
             var all = new LinkedHashMap<Object, @Nullable Object>();
             map.forEach((name, each) -> all.put(name, unchanged(each)));
             return Collections.unmodifiableSequencedMap(all);
         }
         throw new IllegalArgumentException("'%s' is no dict.".formatted(words));
+    }
+
+    static List<?> list(@Nullable Object words) {
+        if (words instanceof List<?> list) {
+            return list;
+        }
+        throw new IllegalArgumentException("'%s' is no list.".formatted(words));
     }
 
     private static @Nullable Object unchanged(@Nullable Object words) {

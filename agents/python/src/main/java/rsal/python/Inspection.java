@@ -4,7 +4,6 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.SequencedMap;
 import java.util.concurrent.TimeUnit;
@@ -32,7 +31,7 @@ final class Inspection {
     static Map<?, ?> of(PythonSources sources, Location askedAt) {
         Map<?, ?> found = known(new Asked(sources.path(), sources.className(), sources.text()), askedAt);
         var problems = new Problems();
-        for (Object each : (List<?>) found.get("problems")) {
+        for (Object each : FromWords.list(found.get("problems"))) {
             Map<?, ?> problem = (Map<?, ?>) each;
             problems.add(
                     new Location(

@@ -20,7 +20,6 @@ final class Interpreter {
     static final String PROPERTY = "rsal.python";
     static final String VARIABLE = "RSAL_PYTHON";
     private static final List<String> NAMES = List.of("python3", "python3.exe", "py.exe", "python.exe", "python");
-    private static final String RUN = "import sys; sys.path[0] = sys.argv[1]; from rsal.agents.%s import main; main()";
 
     private Interpreter() {}
 
@@ -38,7 +37,13 @@ final class Interpreter {
     /// @throws IOException when it can't be started
     static Process start(String module) throws IOException {
         String python = command().orElseThrow(() -> new IOException(missing().orElseThrow()));
-        var builder = new ProcessBuilder(python, "-X", "utf8", "-c", RUN.formatted(module), home());
+        var builder = new ProcessBuilder(
+                python,
+                "-X",
+                "utf8",
+                "-c",
+                "import sys; sys.path[0] = sys.argv[1]; from rsal.agents.%s import main; main()".formatted(module),
+                home());
         builder.environment().put("PYTHONHASHSEED", "0"); // else sets of texts have another order in each process
         builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
         return builder.start();
@@ -78,8 +83,7 @@ final class Interpreter {
                         .resolve("python")
                         .toString();
             }
-            return Objects.requireNonNull(Path.of(marker.toURI()).getParent().getParent())
-                    .toString();
+            return Path.of(marker.toURI()).resolve("../..").normalize().toString();
         } catch (URISyntaxException e) {
             throw new UncheckedIOException(new IOException(marker.toString(), e));
         }

@@ -192,7 +192,7 @@ final class PythonAgent implements Agent {
                     answer.completeExceptionally(e);
                 }
             });
-            own.ended.thenRun(() -> answer.cancel(false));
+            var _ = own.ended.thenRun(() -> answer.cancel(false));
             try {
                 return answer.join();
             } catch (CancellationException _) {

@@ -22,6 +22,7 @@ record PythonSources(String path, String className, Map<String, String> texts) {
     static final String SUFFIX = ".py";
     private static final int MAX_BYTES = 1 << 20;
     private static final int MOST_FILES = 200;
+    private static final Pattern COMMA = Pattern.compile("\\s*,\\s*");
     private static final Pattern NAME = Pattern.compile("[A-Za-z_]\\w*");
 
     /// What a module may import. There need not be such a file.
@@ -54,7 +55,7 @@ record PythonSources(String path, String className, Map<String, String> texts) {
         while (!unread.isEmpty()) {
             Matcher imports = IMPORT.matcher(unread.remove());
             while (imports.find()) {
-                for (String name : imports.group(1).split("\\s*,\\s*")) {
+                for (String name : COMMA.splitAsStream(imports.group(1)).toList()) {
                     String other = folder + name + SUFFIX;
                     if (asked.add(other)) {
                         readable(other, files, askedAt).ifPresent(text -> {

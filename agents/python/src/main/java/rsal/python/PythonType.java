@@ -37,7 +37,7 @@ record PythonType(
     static PythonType of(String key, PythonSources sources, Map<?, ?> found) {
         var problems = new Problems();
         var needs = new ArrayList<Class<? extends Device>>();
-        for (Object each : (List<?>) found.get("needs")) {
+        for (Object each : FromWords.list(found.get("needs"))) {
             List<?> named = (List<?>) each;
             String name = String.valueOf(named.getFirst());
             Class<? extends Device> contract = DeviceCalls.all().get(name);
@@ -52,7 +52,7 @@ record PythonType(
         }
         problems.throwIfAny();
         List<Parameter<?>> parameters = new ArrayList<>();
-        for (Object each : (List<?>) found.get("parameters")) {
+        for (Object each : FromWords.list(found.get("parameters"))) {
             parameters.add(parameter((Map<?, ?>) each));
         }
         return new PythonType(
@@ -94,8 +94,9 @@ record PythonType(
     }
 
     private static Parameter<String> words(Map<?, ?> found, String name, String fallback, String about) {
-        List<String> choices =
-                ((List<?>) found.get("choices")).stream().map(String::valueOf).toList();
+        List<String> choices = FromWords.list(found.get("choices")).stream()
+                .map(String::valueOf)
+                .toList();
         if (Boolean.TRUE.equals(found.get("robots"))) {
             return Parameter.robots(name, fallback, choices, about);
         }

@@ -116,7 +116,7 @@ final class Requests implements Worker.Peer {
         }
 
         List<?> list(int index) {
-            return (List<?>) words.get(ARGUMENTS + index);
+            return FromWords.list(words.get(ARGUMENTS + index));
         }
     }
 
@@ -144,7 +144,7 @@ final class Requests implements Worker.Peer {
             }
             case "departures" -> held.put(asked.number(0), departures(asked.number(0)));
             case "offer" ->
-                held.put(asked.number(0), self.offer(service(asked.text(1), (Map<?, ?>) asked.argument(2))));
+                held.put(asked.number(0), self.offer(service(asked.text(1), FromWords.map(asked.argument(2)))));
             case "write" -> write(topic(asked.text(0)), asked);
             case "erase" -> self.blackboard().erase(topic(asked.text(0)), asked.text(1));
             case "print" -> self.print(asked.text(0));

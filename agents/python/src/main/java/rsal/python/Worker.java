@@ -71,7 +71,8 @@ final class Worker {
             if (hello.get("error") instanceof String why) {
                 throw new PythonFailure(why);
             }
-            if (!hello.get("protocol").equals(Frames.VERSION) || !"little".equals(hello.get("order"))) {
+            if (!Integer.valueOf(Frames.VERSION).equals(hello.get("protocol"))
+                    || !"little".equals(hello.get("order"))) {
                 throw new PythonFailure("Python's side does not fit to this version of RSAL: %s.".formatted(hello));
             }
         } catch (IOException _) {
@@ -163,7 +164,7 @@ final class Worker {
                 Map<?, ?> words = frames.read();
                 try {
                     if (refused == null) {
-                        peer.perform((List<?>) words.get("do"));
+                        peer.perform(FromWords.list(words.get("do")));
                     }
                 } catch (RuntimeException e) {
                     refused = e;
