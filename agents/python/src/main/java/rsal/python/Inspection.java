@@ -64,7 +64,7 @@ final class Inspection {
         Process process = null;
         try {
             process = Interpreter.start("inspection");
-            var frames = new Frames(process.getInputStream(), process.getOutputStream());
+            var frames = new PythonFrames(process.getInputStream(), process.getOutputStream());
             frames.write(to ->
                     to.put("path", asked.path).put("class", asked.className).put("text", asked.text));
             Map<?, ?> found = frames.read();

@@ -17,12 +17,12 @@ final class Postman {
     /// @param newest whether a later one of the same number takes its place
     record Letter(int number, boolean newest, Runnable bring) {}
 
-    private final Worker worker;
+    private final PythonWorker worker;
     private final Map<Integer, SequencedMap<Object, Letter>> waiting = new HashMap<>(); // by agent; guarded by this
     private final Queue<Integer> turns = new ArrayDeque<>(); // agents with letters; guarded by this
     private boolean closed; // guarded by this
 
-    Postman(Worker worker) {
+    Postman(PythonWorker worker) {
         this.worker = worker;
         Thread.ofPlatform().daemon().name("python-io").start(this::work);
     }

@@ -30,7 +30,11 @@ final class PythonAgent implements Agent {
 
     /// What it has once it has started.
     private record Life(
-            AgentContext self, Worker worker, int number, Requests requests, CompletableFuture<Void> ended) {}
+            AgentContext self,
+            PythonWorker worker,
+            int number,
+            PythonRequests requests,
+            CompletableFuture<Void> ended) {}
 
     /// @param arguments values of its parameters, by name
     PythonAgent(PythonType type, Map<String, Object> arguments) {
@@ -40,8 +44,8 @@ final class PythonAgent implements Agent {
 
     @Override
     public void start(AgentContext self) {
-        Worker worker = Worker.enter(self.scheduler().run());
-        var requests = new Requests(self, this::deliver);
+        PythonWorker worker = PythonWorker.enter(self.scheduler().run());
+        var requests = new PythonRequests(self, this::deliver);
         var own = new Life(self, worker, worker.number(), requests, new CompletableFuture<>());
         life = own;
         self.atEnd(() -> end(own));
@@ -100,7 +104,7 @@ final class PythonAgent implements Agent {
             return;
         }
         var said = new CompletableFuture<List<?>>();
-        send(own, 0, false, to -> to.put("stop", true), new Worker.Peer() {
+        send(own, 0, false, to -> to.put("stop", true), new PythonWorker.Peer() {
             @Override
             public void perform(List<?> asked) {
                 said.complete(asked);
@@ -144,7 +148,7 @@ final class PythonAgent implements Agent {
         }
     }
 
-    private void send(Life own, int number, boolean newest, Frames.Content content) {
+    private void send(Life own, int number, boolean newest, PythonFrames.Content content) {
         if (own.worker.postman().isEmpty()) {
             own.worker.exchange(to -> content.write(head(own, to)), own.requests);
         } else {
@@ -152,7 +156,8 @@ final class PythonAgent implements Agent {
         }
     }
 
-    private static void send(Life own, int number, boolean newest, Frames.Content content, Worker.Peer peer) {
+    private static void send(
+            Life own, int number, boolean newest, PythonFrames.Content content, PythonWorker.Peer peer) {
         Runnable bring = () -> {
             if (own.ended.isDone()) {
                 return;
@@ -174,7 +179,7 @@ final class PythonAgent implements Agent {
     }
 
     /// What Python asks for in real time, on the thread that waits for it: it is done on the agent's lane.
-    private record FarPeer(Life own) implements Worker.Peer {
+    private record FarPeer(Life own) implements PythonWorker.Peer {
         @Override
         public void perform(List<?> asked) {
             if (!asked.isEmpty()) {

@@ -29,7 +29,7 @@ import rsal.robot.Robot;
 /// A request is a list: a verb, the place in Python that asks, and arguments. What comes later comes under a number
 /// that
 /// Python has chosen.
-final class Requests implements Worker.Peer {
+final class PythonRequests implements PythonWorker.Peer {
     private static final int ARGUMENTS = 2; // after verb and place
 
     private static final Map<String, Topic<?>> INSTALLED =
@@ -42,8 +42,8 @@ final class Requests implements Worker.Peer {
     private final long seed;
     private final Map<Integer, Subscription> held = new HashMap<>(); // by number
     private final Map<Integer, GoalHandle<?, ?>> goals = new HashMap<>(); // that go on, by number
-    private final Conversations conversations;
-    private final ShownMind mind;
+    private final PythonConversations conversations;
+    private final PythonMind mind;
 
     /// Told what Python listens to.
     interface Heard {
@@ -54,14 +54,14 @@ final class Requests implements Worker.Peer {
     /// What an agent hears of a topic.
     private record Said(String sender, String to, Instant time, Object content) {}
 
-    Requests(AgentContext self, Heard heard) {
+    PythonRequests(AgentContext self, Heard heard) {
         this.self = self;
         this.heard = heard;
         this.robot = self.robot();
         this.simulation = self.simulation();
         this.seed = self.random().nextLong() >>> 1; // Python's are not negative
-        this.conversations = new Conversations(self, heard);
-        this.mind = new ShownMind(self);
+        this.conversations = new PythonConversations(self, heard);
+        this.mind = new PythonMind(self);
     }
 
     Optional<Robot> robot() {

@@ -22,18 +22,18 @@ import rsal.time.LockstepScheduler;
 ///
 /// In simulated time the run's thread waits for it, in the turn of the agent, so that equal runs are equal. In real
 /// time a thread of its own does, the [Postman]. One thread at a time exchanges frames.
-final class Worker {
+final class PythonWorker {
     private static final Logger LOG = System.getLogger(Agent.class.getName());
     private static final String NOTICE = "\u0001"; // begins lines on stderr that are for us
     private static final int LAST_WORDS = 12; // lines
     private static final int GRACE = 2; // s; of a process that is told to end
 
     /// By what tells runs apart. Guarded by itself.
-    private static final Map<Object, Worker> BY_RUN = new HashMap<>();
+    private static final Map<Object, PythonWorker> BY_RUN = new HashMap<>();
 
     private final Object run;
     private final Process process;
-    private final Frames frames;
+    private final PythonFrames frames;
     private final Thread errors;
     private final Deque<String> said = new ArrayDeque<>(); // on stderr, the last lines; guarded by itself
     private final Optional<Postman> postman;
@@ -57,21 +57,21 @@ final class Worker {
         Object answer(List<?> asked);
     }
 
-    private Worker(Object run) {
+    private PythonWorker(Object run) {
         this.run = run;
         try {
             this.process = Interpreter.start("process");
         } catch (IOException e) {
             throw new PythonFailure("Python can't be run: %s.".formatted(e.getMessage()));
         }
-        this.frames = new Frames(process.getInputStream(), process.getOutputStream());
+        this.frames = new PythonFrames(process.getInputStream(), process.getOutputStream());
         this.errors = Thread.ofPlatform().daemon().name("python-errors").start(this::readErrors);
         try {
             Map<?, ?> hello = frames.read();
             if (hello.get("error") instanceof String why) {
                 throw new PythonFailure(why);
             }
-            if (!Integer.valueOf(Frames.VERSION).equals(hello.get("protocol"))
+            if (!Integer.valueOf(PythonFrames.VERSION).equals(hello.get("protocol"))
                     || !"little".equals(hello.get("order"))) {
                 throw new PythonFailure("Python's side does not fit to this version of RSAL: %s.".formatted(hello));
             }
@@ -84,9 +84,9 @@ final class Worker {
     /// The one of a run, for one more agent.
     ///
     /// @param run what tells runs apart
-    static Worker enter(Object run) {
+    static PythonWorker enter(Object run) {
         synchronized (BY_RUN) {
-            Worker worker = BY_RUN.computeIfAbsent(run, Worker::new);
+            PythonWorker worker = BY_RUN.computeIfAbsent(run, PythonWorker::new);
             worker.agents++;
             return worker;
         }
@@ -150,7 +150,7 @@ final class Worker {
     /// Sends an event, and does what Python asks for until its turn is over.
     ///
     /// @throws PythonFailure when the agent has failed, or the process has
-    void exchange(Frames.Content event, Peer peer) {
+    void exchange(PythonFrames.Content event, Peer peer) {
         String gone = dead;
         if (gone != null) {
             throw new PythonFailure(gone);

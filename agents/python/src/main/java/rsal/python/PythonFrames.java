@@ -19,7 +19,7 @@ import tools.jackson.databind.json.JsonMapper;
 /// value is an array, the words say which bytes it has: `{"array":"f4","at":0,"count":180}`.
 ///
 /// Of one thread at a time.
-final class Frames {
+final class PythonFrames {
     static final int VERSION = 1;
     private static final int LONGEST = 1 << 26; // B
     private static final int HEAD = 8; // B
@@ -38,7 +38,7 @@ final class Frames {
     private byte[] frame = new byte[1 << 12];
 
     /// @param out without a buffer
-    Frames(InputStream in, OutputStream out) {
+    PythonFrames(InputStream in, OutputStream out) {
         this.in = in;
         this.out = out;
     }

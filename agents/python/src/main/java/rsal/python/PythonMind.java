@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Map;
 import rsal.agent.AgentContext;
 import rsal.agent.bdi.Mind;
-import rsal.python.Requests.Request;
+import rsal.python.PythonRequests.Request;
 
 /// Beliefs and goals that an agent in Python shows, as the page has them of other agents. On the agent's lane.
-final class ShownMind {
+final class PythonMind {
     private final AgentContext self;
     private final Map<String, String> beliefs = new LinkedHashMap<>();
     private final Map<String, Shown> goals = new LinkedHashMap<>();
@@ -20,7 +20,7 @@ final class ShownMind {
     /// @param step what is done for it; empty when that is not known
     private record Shown(Mind.GoalState state, String step) {}
 
-    ShownMind(AgentContext self) {
+    PythonMind(AgentContext self) {
         this.self = self;
     }
 

@@ -16,11 +16,11 @@ import rsal.agent.protocol.ContractNet;
 import rsal.agent.protocol.ConversationResult;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.RetryPolicy;
-import rsal.python.Requests.Heard;
+import rsal.python.PythonRequests.Heard;
 
 /// The conversations of an agent in Python: requests and contract nets, about maps. On the agent's lane.
 @SuppressWarnings("rawtypes") // the contents of a conversation are told by a class, which has no parameters
-final class Conversations {
+final class PythonConversations {
     private final AgentContext self;
     private final Heard heard;
     private final Map<String, Request<Map, Map>> requests = new HashMap<>(); // by service
@@ -28,12 +28,12 @@ final class Conversations {
     private final Map<Integer, BiConsumer<String, Object>> dialogues = new HashMap<>(); // what Python can say in each
     private int begun;
 
-    Conversations(AgentContext self, Heard heard) {
+    PythonConversations(AgentContext self, Heard heard) {
         this.self = self;
         this.heard = heard;
     }
 
-    void perform(Requests.Request asked) {
+    void perform(PythonRequests.Request asked) {
         switch (asked.verb()) {
             case "ask" -> ask(asked);
             case "answer" -> answer(asked.number(0), asked.text(1));
@@ -52,7 +52,7 @@ final class Conversations {
         return nets.computeIfAbsent(service, name -> new ContractNet<>(self, name, Map.class, Map.class, Map.class));
     }
 
-    private void ask(Requests.Request asked) {
+    private void ask(PythonRequests.Request asked) {
         int number = asked.number(0);
         Duration silence = asked.seconds(4);
         Duration repeat = silence.compareTo(RetryPolicy.DEFAULT.repeat()) < 0 ? silence : RetryPolicy.DEFAULT.repeat();
@@ -89,7 +89,7 @@ final class Conversations {
         words.put("why", why);
     }
 
-    private void say(Requests.Request asked) {
+    private void say(PythonRequests.Request asked) {
         int dialogue = asked.number(0);
         BiConsumer<String, Object> partner = dialogues.get(dialogue);
         if (partner != null) { // else it is not wanted any more
@@ -174,7 +174,7 @@ final class Conversations {
         return least ? number.doubleValue() : -number.doubleValue();
     }
 
-    private void tender(Requests.Request asked) {
+    private void tender(PythonRequests.Request asked) {
         int number = asked.number(0);
         String criterion = asked.text(5);
         boolean least = Boolean.TRUE.equals(asked.argument(6));
