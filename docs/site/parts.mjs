@@ -31,6 +31,7 @@ export const parts = [
         title: 'Agents',
         pages: docs(
           'how-to',
+          'python-agents',
           'goals-and-plans',
           'conversations',
           'boards',
@@ -59,6 +60,7 @@ export const parts = [
           'worlds',
           'faults',
           'agentspeak',
+          'python-api',
           'stage-worlds',
           'gazebo-worlds',
           'player-configurations',

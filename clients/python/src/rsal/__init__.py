@@ -1,4 +1,4 @@
-"""RSAL from Python: start runs, study their results, and connect to running sessions.
+"""RSAL from Python: agents, learning environments, runs and their results, and running sessions.
 
 ``import rsal`` loads nothing else and starts no Java. A name of the table below loads its module when it is used.
 """
@@ -9,7 +9,15 @@ __version__ = "0.1.0"
 
 #: Each public name of this package, by the module that has it.
 _NAMES = {
+    "Agent": "rsal.agents",
+    "Message": "rsal.agents",
+    "Param": "rsal.agents",
+    "Point2d": "rsal.agents",
+    "Pose2d": "rsal.agents",
     "RsalError": "rsal.launch",
+    "Stamped": "rsal.agents",
+    "Topic": "rsal.agents",
+    "Twist2d": "rsal.agents",
     "connect": "rsal.studies",
     "load": "rsal.studies",
     "make_vec": "rsal.env",
@@ -24,6 +32,14 @@ _NAMES = {
 
 TYPE_CHECKING = False  # type checkers know better; the module typing would take most of the time of this import
 if TYPE_CHECKING:
+    from rsal.agents import Agent as Agent
+    from rsal.agents import Message as Message
+    from rsal.agents import Param as Param
+    from rsal.agents import Point2d as Point2d
+    from rsal.agents import Pose2d as Pose2d
+    from rsal.agents import Stamped as Stamped
+    from rsal.agents import Topic as Topic
+    from rsal.agents import Twist2d as Twist2d
     from rsal.env import make_vec as make_vec
     from rsal.env import parallel_env as parallel_env
     from rsal.env import single_env as single_env

@@ -12,4 +12,6 @@ module rsal.jason {
 
     provides rsal.agent.AgentHostProvider with
             rsal.jason.JasonHostProvider;
+    provides rsal.agent.AgentLanguage with
+            rsal.jason.AgentSpeak;
 }

@@ -99,6 +99,9 @@ public interface AgentContext {
     /// @param view asked on the run's thread; what it throws is told to those who look, and does the agent no harm
     <T> void reveal(Class<T> type, Supplier<? extends T> view);
 
+    /// Says that the agent's own code runs in another process: who looks whether it returns asks there.
+    void outside(OutsideCode code);
+
     /// Does something when the agent ends, however it ends: for letting go of what would go on without it. The
     /// last thing asked for is done first.
     void atEnd(Runnable lettingGo);

@@ -23,11 +23,6 @@ public interface AgentHostProvider {
         return List.of();
     }
 
-    /// Languages in which agents can be written for it, besides Java; none for most.
-    default List<AgentLanguage> languages() {
-        return List.of();
-    }
-
     /// Why an agent can't have a name, for people; empty when it can.
     ///
     /// @param others names of the other agents

@@ -1,18 +1,24 @@
 package rsal.agent;
 
+import java.util.Optional;
 import java.util.Set;
 import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
 /// A language in which people write agents, as AgentSpeak. A scenario names the file of such an agent where it
-/// names a type else (`type: hunter.asl`). One in which agents can be written on every multi-agent system is
-/// found by [java.util.ServiceLoader]; others are told by theirs ([AgentHostProvider#languages]).
+/// names a type else (`type: hunter.asl`). Found by [java.util.ServiceLoader]. Its agents use nothing but their
+/// [AgentContext], so that they run on each agent platform, beside agents in other languages.
 public interface AgentLanguage {
     /// How its files' names end: `.asl`.
     String suffix();
 
-    /// Names that mean something else in it, as `self`: agents that run beside those written in it can't have them.
+    /// Whether what a scenario names as a type is an agent's file in this language.
+    default boolean reads(String type) {
+        return type.endsWith(suffix());
+    }
+
+    /// Names that mean something else in it, as `self`: no agent of a scenario that uses it can have them.
     default Set<String> takenNames() {
         return Set.of();
     }
@@ -22,6 +28,11 @@ public interface AgentLanguage {
     /// anybody may have made.
     default boolean runsCode() {
         return false;
+    }
+
+    /// Why no file in it can be read on this machine, and what to do, in sentences; empty where they can be.
+    default Optional<String> unavailable() {
+        return Optional.empty();
     }
 
     /// Reads an agent's file.

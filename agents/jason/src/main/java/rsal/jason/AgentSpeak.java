@@ -8,7 +8,7 @@ import rsal.settings.Location;
 
 /// AgentSpeak(L) as Jason reads it: Bordini, Hübner and Wooldridge, Programming Multi-Agent Systems in AgentSpeak using
 /// Jason, Wiley 2007.
-final class AgentSpeak implements AgentLanguage {
+public final class AgentSpeak implements AgentLanguage {
     static final Set<String> TAKEN = Set.of("self", "percept");
 
     @Override

@@ -1,15 +1,13 @@
 package rsal.jason;
 
-import java.util.List;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentHostProvider;
-import rsal.agent.AgentLanguage;
 import rsal.agent.platform.PlainHost;
 import rsal.settings.Arguments;
 import rsal.time.Scheduler;
 
-/// Runs agents written in AgentSpeak, and Java agents beside them, all on the run's own thread: deterministic in
-/// simulated time.
+/// Runs all agents on the run's own thread, deterministic in simulated time, as `plain` does: agents in AgentSpeak
+/// bring their interpreter along.
 public final class JasonHostProvider implements AgentHostProvider {
     @Override
     public String key() {
@@ -24,11 +22,6 @@ public final class JasonHostProvider implements AgentHostProvider {
     @Override
     public boolean followsSchedulerTime() {
         return true;
-    }
-
-    @Override
-    public List<AgentLanguage> languages() {
-        return List.of(new AgentSpeak());
     }
 
     @Override

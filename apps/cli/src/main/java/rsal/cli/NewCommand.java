@@ -34,15 +34,16 @@ import rsal.settings.Suggestion;
 /// `rsal new`
 @Command(
         name = "new",
-        description = "Make a folder with a new scenario: NAME.yaml, an agent in Java or AgentSpeak, a controller or a"
-                + " metric, the other files that it names, and a README. The scenario runs without changes."
-                + " Existing files are not overwritten.")
+        description =
+                "Make a folder with a new scenario: NAME.yaml, an agent in Java, Python or AgentSpeak, a controller or a"
+                        + " metric, the other files that it names, and a README. The scenario runs without changes."
+                        + " Existing files are not overwritten.")
 final class NewCommand extends Subcommand {
     private static final String PLAIN = "plain"; // runs agents in Java
     private static final String README = "README.md";
     private static final boolean ON_WINDOWS = File.separatorChar == '\\'; // whose shells have quotes of their own
     private static final String ABOUT_AGENTS = """
-            Agents are named by their `type` under `agents`: a file here, in Java (`.java`) or AgentSpeak (`.asl`), or one that comes
+            Agents are named by their `type` under `agents`: a file here, in Java (`.java`), Python (`.py`) or AgentSpeak (`.asl`), or one that comes
             with RSAL. Change a file and run the scenario again. `rsal list agents` tells which agents come with RSAL, and `rsal show TYPE`
             what can be set of one. The tutorials "Your first agent" and "Your first AgentSpeak robot" explain how to write one; `rsal docs --serve`
             shows them.""";
@@ -69,6 +70,9 @@ final class NewCommand extends Subcommand {
             paramLabel = "KEY",
             description = "jason for an agent in AgentSpeak. Default: an agent in Java.")
     private @Nullable String mas;
+
+    @Option(names = "--python", description = "An agent in Python, with numpy.")
+    private boolean python;
 
     @Option(
             names = "--kind",
@@ -115,9 +119,13 @@ final class NewCommand extends Subcommand {
     private Template template() {
         if (kind != Own.agent) {
             check(
-                    from == null && mas == null,
-                    "--kind %s begins with a scenario of its own. Remove --from and --mas.".formatted(kind));
+                    from == null && mas == null && !python,
+                    "--kind %s begins with a scenario of its own. Remove --from, --mas and --python.".formatted(kind));
             return Template.withPlugin(kind.name());
+        }
+        if (python) {
+            check(from == null && mas == null, "--python begins with a scenario of its own. Remove --from and --mas.");
+            return Template.inLanguage("python").orElseThrow();
         }
         if (mas == null || mas.equals(PLAIN)) {
             return from == null ? Template.inLanguage("java").orElseThrow() : Template.of(from);
@@ -208,7 +216,8 @@ final class NewCommand extends Subcommand {
         if (kind != Own.agent) {
             return "its template for %ss".formatted(kind);
         }
-        return "its template for agents in %s".formatted(mas == null || mas.equals(PLAIN) ? "Java" : "AgentSpeak");
+        String language = python ? "Python" : mas == null || mas.equals(PLAIN) ? "Java" : "AgentSpeak";
+        return "its template for agents in %s".formatted(language);
     }
 
     private String about(String file, String name) {
@@ -223,7 +232,8 @@ final class NewCommand extends Subcommand {
             return "a %s in Java%s".formatted(kind, kind == Own.metric ? ": `rsal show %s`".formatted(file) : "");
         }
         if (ShownAgent.is(file)) {
-            return "an agent in %s: `rsal show %s`".formatted(file.endsWith(".asl") ? "AgentSpeak" : "Java", file);
+            String language = file.endsWith(".asl") ? "AgentSpeak" : file.endsWith(".py") ? "Python" : "Java";
+            return "an agent in %s: `rsal show %s`".formatted(language, file);
         }
         return "named by the scenario";
     }

@@ -146,6 +146,22 @@ class NewIT {
         assertThat(rsal.run("show", "chase/hunter.asl").out()).contains("+!hunt");
     }
 
+    @Test
+    void anAgentInPythonIsAFileBeside() throws Exception {
+        Ended ended = rsal.run("new", "chase", "--python");
+        assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
+        assertThat(made("chase")).containsExactly("README.md", "chase.yaml", "hunter.py");
+        assertThat(folder.resolve("chase/README.md")).content().contains("an agent in Python");
+        assertThat(rsal.run("validate", "chase/chase.yaml").out()).startsWith("chase/chase.yaml: valid");
+        assertThat(rsal.run("show", "chase/hunter.py").out())
+                .contains("catch_distance", "a number of at least 0.8 [m]");
+        Path agent = folder.resolve("chase/hunter.py");
+        Files.writeString(agent, Files.readString(agent).replace("min=0.8", "mn=0.8"));
+        Ended wrong = rsal.run("run", "chase");
+        assertThat(wrong.code()).isEqualTo(Exit.INVALID);
+        assertThat(wrong.out() + wrong.err()).containsPattern("hunter.py:\\d+:\\d+: 'Param' has no 'mn'");
+    }
+
     @Trials({"hunt-and-prey", "foraging", "distribution", "find-and-collect", "patrol", "rescue", "swarm", "teleop"})
     void eachThatComesWithRsalCanBeTaken(String scenario) throws Exception {
         Ended ended = rsal.run("new", "mine", "--from", scenario);

@@ -8,6 +8,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
+import rsal.agent.OutsideCode;
 import rsal.agent.platform.AgentTurns;
 import rsal.engine.report.RunBroken;
 import rsal.settings.OwnCode;
@@ -57,7 +58,11 @@ final class AgentWatch {
     private RunBroken broken(String agent) {
         return new RunBroken(
                 "Agent '%s' has not returned for %d s; it is at %s. Nothing in an agent may block: maybe use its scheduler, or a CompletionStage."
-                        .formatted(agent, patience, place(turns.thread(agent))));
+                        .formatted(agent, patience, place(agent)));
+    }
+
+    private String place(String agent) {
+        return turns.outside(agent).flatMap(OutsideCode::place).orElseGet(() -> place(turns.thread(agent)));
     }
 
     /// The thread of an agent at work, as platforms may have threads of their own.

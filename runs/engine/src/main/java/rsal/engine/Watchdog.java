@@ -3,6 +3,7 @@ package rsal.engine;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import rsal.agent.OutsideCode;
 import rsal.agent.platform.AgentTurns;
 
 /// Finds out which agent never returns, and so holds up all others on its thread. Counts how often it is seen in one
@@ -24,6 +25,9 @@ final class Watchdog {
     Optional<String> look() {
         var now = new HashMap<String, Watched>();
         turns.inProgress().forEach((agent, turn) -> {
+            if (turns.outside(agent).filter(OutsideCode::isDebugged).isPresent()) {
+                return; // a person looks into it
+            }
             Watched before = seen.get(agent);
             now.put(agent, new Watched(turn, before != null && before.turn == turn ? before.looks + 1 : 1));
         });

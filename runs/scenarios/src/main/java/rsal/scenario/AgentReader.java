@@ -3,10 +3,12 @@ package rsal.scenario;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
@@ -15,6 +17,7 @@ import rsal.scenario.RunPlan.Mas;
 import rsal.scenario.RunPlan.PlannedAgent;
 import rsal.scenario.RunPlan.PlannedRobot;
 import rsal.scenario.installed.Catalog;
+import rsal.scenario.installed.UnavailableType;
 import rsal.scenario.installed.UntrustedType;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
@@ -35,6 +38,8 @@ final class AgentReader {
     private final RobotNames robots;
     private final Seeds seeds;
     private final Problems problems;
+    private final Set<AgentLanguage> languages = new LinkedHashSet<>(); // that the scenario uses
+    private final Map<String, Location> named = new HashMap<>(); // agents, by their names
 
     /// @param files of the scenario
     /// @param mas empty when it can't be read
@@ -177,7 +182,7 @@ final class AgentReader {
                 .toList();
     }
 
-    /// One that is installed, or that its author wrote in a language of the host.
+    /// One that is installed, or that its author wrote in a file.
     ///
     /// @param files of the scenario that names it
     private Optional<AgentType> type(Section agent, FileSource files) {
@@ -186,31 +191,25 @@ final class AgentReader {
             return Optional.empty();
         }
         Location at = agent.locationOf("type");
-        List<String> hosts = catalog.hostsOf(key);
-        if (hosts.isEmpty()) {
-            return catalog.agent(key, at, problems);
-        }
-        return mas.flatMap(host -> written(agent, host, hosts, files));
+        Optional<AgentLanguage> language = catalog.language(key);
+        return language.isEmpty() ? catalog.agent(key, at, problems) : written(agent, language.get(), files);
     }
 
-    private Optional<AgentType> written(Section agent, Mas mas, List<String> hosts, FileSource files) {
+    private Optional<AgentType> written(Section agent, AgentLanguage language, FileSource files) {
         String file = agent.text("type");
         Location at = agent.locationOf("type");
-        Optional<AgentLanguage> language = catalog.language(mas.provider(), file);
-        if (language.isEmpty()) {
-            problems.add(
-                    at,
-                    "Multi-agent system '%s' can't run '%s'."
-                            .formatted(mas.provider().key(), file),
-                    "Maybe mas: {use: %s}.".formatted(hosts.getFirst()));
-            return Optional.empty();
-        }
-        if (language.get().runsCode() && !files.isTrusted()) {
+        languages.add(language);
+        if (language.runsCode() && !files.isTrusted()) {
             files.read(file, Yaml.MAX_CHARACTERS, at); // it must be there
             return Optional.of(UntrustedType.of(file, agent.section(Format.PARAMETERS)));
         }
+        Optional<String> unavailable = language.unavailable();
+        if (unavailable.isPresent()) {
+            files.read(file, Yaml.MAX_CHARACTERS, at); // it must be there
+            return Optional.of(UnavailableType.of(file, agent.section(Format.PARAMETERS), at, unavailable.get()));
+        }
         try {
-            return Optional.of(language.get().read(file, files, at));
+            return Optional.of(language.read(file, files, at));
         } catch (InvalidSettings e) {
             problems.addAll(e.beside(at));
             return Optional.empty();
@@ -241,21 +240,30 @@ final class AgentReader {
         }
     }
 
-    /// A language may have other uses for a name, and a multi-agent system too.
+    /// A multi-agent system may have other uses for a name.
     private void checkName(String agent, List<PlannedAgent> others, Location at) {
         mas.map(Mas::provider)
                 .flatMap(host -> host.nameProblem(
                         agent, others.stream().map(PlannedAgent::name).toList()))
                 .ifPresent(why ->
                         problems.add(at, "No agent can be called '%s' here. %s".formatted(agent, why), "Rename it."));
-        mas.map(Mas::provider)
-                .filter(host -> catalog.languages(host)
-                        .anyMatch(language -> language.takenNames().contains(agent)))
-                .ifPresent(host -> problems.add(
-                        at,
-                        "No agent can be called '%s' on multi-agent system '%s': its language has another use for that name."
-                                .formatted(agent, host.key()),
-                        "Rename it."));
+        named.putIfAbsent(agent, at);
+    }
+
+    /// A language that some agent of the scenario is written in may have other uses for a name.
+    void checkTakenNames() {
+        for (AgentLanguage language : languages) {
+            for (String name : new TreeSet<>(language.takenNames())) {
+                Location at = named.get(name);
+                if (at != null) {
+                    problems.add(
+                            at,
+                            "No agent can be called '%s' beside agents in files '*%s': their language has another use for that name."
+                                    .formatted(name, language.suffix()),
+                            "Rename it.");
+                }
+            }
+        }
     }
 
     private void checkNumber(int agents, Location at) {

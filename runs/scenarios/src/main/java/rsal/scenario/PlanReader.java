@@ -231,6 +231,7 @@ final class PlanReader {
             agents.addAll(reader.instead(
                     found.robots(), found.scene().map(Scene::programs).orElse(Map.of())));
         }
+        reader.checkTakenNames();
         reader.checkPartners(agents, root.locationOf("agents"));
         return new Team(agents, joined, equipped(found.robots(), agents));
     }

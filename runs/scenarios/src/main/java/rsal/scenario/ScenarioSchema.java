@@ -412,13 +412,11 @@ public final class ScenarioSchema {
         var kinds = new ArrayList<Object>();
         catalog.agents().forEach((key, type) -> kinds.add(agent(key, type, robot)));
         kinds.add(anyAgent(reference(), robot));
-        catalog.hosts().values().stream()
-                .flatMap(catalog::languages)
+        catalog.languages().values().stream()
                 .map(AgentLanguage::suffix)
-                .distinct()
                 .forEach(suffix -> kinds.add(described(
                         anyAgent(fields("type", "string", "pattern", suffix.replace(".", "\\.") + "$"), robot),
-                        "File of an agent written in the language of the multi-agent system.")));
+                        "File of an agent of your own.")));
         return oneOf(kinds);
     }
 

@@ -60,11 +60,10 @@ class WrittenAgentsTest {
     }
 
     @Test
-    void aHostThatDoesNotKnowTheirLanguageIsRefused() {
-        refuses(
-                SCENARIO.replace("use: jason", "use: plain"),
-                "scenario.yaml:10:15: Multi-agent system 'plain' can't run 'own.asl'.",
-                "Maybe mas: {use: jason}.");
+    void eachPlatformRunsThem() throws IOException {
+        assertThat(plan(SCENARIO.replace("use: jason", "use: plain")).agents())
+                .extracting(agent -> agent.type().key())
+                .containsExactly("own.asl");
     }
 
     @Test
@@ -82,9 +81,19 @@ class WrittenAgentsTest {
 
     @Test
     void noneIsCalledWhatMeansSomethingElseInTheirLanguage() throws IOException {
-        String words = "No agent can be called '%s' on multi-agent system 'jason'";
+        String words = "No agent can be called '%s' beside agents in files '*.asl'";
         refuses(SCENARIO.replace("own: {type", "self: {type"), "scenario.yaml:10:9: " + words.formatted("self"));
         refuses(SCENARIO.replace("own: {type", "percept: {type"), words.formatted("percept"));
+        refuses(SCENARIO.replace("agents:\n", "agents:\n  self: {type: blackboard}\n"), words.formatted("self"));
+    }
+
+    @Test
+    void aNameIsTakenOnlyBesideAgentsOfTheirLanguage() throws IOException {
+        String without = SCENARIO.replace(
+                "own: {type: own.asl, robot: r, parameters: {speed: $pace}}", "self: {type: blackboard}");
+        assertThat(plan(without).agents())
+                .extracting(RunPlan.PlannedAgent::name)
+                .containsExactly("self");
     }
 
     @Test

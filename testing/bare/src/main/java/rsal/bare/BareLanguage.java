@@ -3,7 +3,7 @@ package rsal.bare;
 import java.util.Map;
 
 /// A language in which agents are written, on the system that it comes from, as those have it who use nothing else. The
-/// same programs run on our host ([rsal.agent.AgentHostProvider#languages]): what that costs beside it is what we cost.
+/// same programs run on our host ([rsal.agent.AgentLanguage]): what that costs beside it is what we cost.
 /// Found by [java.util.ServiceLoader].
 public interface BareLanguage {
     /// What a program calls the belief in which it counts.
@@ -15,6 +15,9 @@ public interface BareLanguage {
 
     /// That of the host: `jason`.
     String key();
+
+    /// How its files' names end: `.asl`.
+    String suffix();
 
     /// A program's text, as its file would have it.
     String text(Program program);

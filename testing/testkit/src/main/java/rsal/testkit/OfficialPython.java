@@ -15,8 +15,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
-/// The packages that those publish who make MCAP and its well-known schemas; Cyclone DDS; and rosbags, which writes and
-/// reads bags of ROS 2. They are in a Python of their own in the project's `target` folder: made the first time, which
+/// The packages that those publish who make MCAP and its well-known schemas; Cyclone DDS; rosbags, which writes and
+/// reads bags of ROS 2; and numpy, which agents in Python need. They are in a Python of their own in the project's
+/// `target` folder: made the first time, which
 /// needs Python and its registry. Where they can't be had, a test is skipped and says so; in CI it fails. Tests run in
 /// several processes: one of them installs, the others wait for it.
 public final class OfficialPython {
@@ -25,7 +26,8 @@ public final class OfficialPython {
             "mcap-protobuf-support==0.6.0",
             "foxglove-schemas-protobuf==0.4.0",
             "rosbags==0.11.9",
-            "cyclonedds==11.0.1");
+            "cyclonedds==11.0.1",
+            "numpy==2.3.5");
     private static final Path HOME =
             Path.of("..", "..", "target", "official-python").toAbsolutePath().normalize();
     private static final int PATIENCE_SECONDS = 240;
@@ -42,12 +44,18 @@ public final class OfficialPython {
         return ended(command);
     }
 
+    /// The interpreter that has them.
+    public static Path interpreter() throws IOException, InterruptedException {
+        prepare();
+        return python();
+    }
+
     private static Path python() {
         return HOME.resolve("bin").resolve("python");
     }
 
     private static void prepare() throws IOException, InterruptedException {
-        Path done = HOME.resolve("done");
+        Path done = HOME.resolve("done-2");
         if (Files.exists(done)) {
             return;
         }

@@ -25,6 +25,7 @@ import rsal.agent.Blackboard;
 import rsal.agent.Directory;
 import rsal.agent.Interest;
 import rsal.agent.Message;
+import rsal.agent.OutsideCode;
 import rsal.agent.ServiceDescription;
 import rsal.agent.Topic;
 import rsal.data.Stamped;
@@ -439,6 +440,11 @@ final class AgentRuntime implements AgentContext {
                 turn.end();
             }
         }
+    }
+
+    @Override
+    public void outside(OutsideCode code) {
+        turn.outside(code);
     }
 
     @Override

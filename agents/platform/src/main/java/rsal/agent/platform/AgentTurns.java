@@ -6,6 +6,7 @@ import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
+import rsal.agent.OutsideCode;
 
 /// Which agents are at work, for those on other threads who look whether one never returns. The same agent that is in
 /// the same turn whenever somebody looks has not returned meanwhile.
@@ -35,10 +36,20 @@ public final class AgentTurns {
         return Optional.ofNullable(byAgent.get(agent)).map(turn -> turn.thread);
     }
 
+    /// An agent's code in another process; empty for one that has none.
+    public Optional<OutsideCode> outside(String agent) {
+        return Optional.ofNullable(byAgent.get(agent)).map(turn -> turn.outside);
+    }
+
     /// One agent's. Written by its lane alone.
     static final class Turn {
         private final AtomicLong count = new AtomicLong(); // odd while code of the agent runs
         private volatile @Nullable Thread thread; // seldom another than before; to write it each time would cost
+        private volatile @Nullable OutsideCode outside;
+
+        void outside(OutsideCode code) {
+            outside = code;
+        }
 
         /// @return whether it was not its turn already
         boolean begin() {

@@ -4,8 +4,6 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
-import rsal.agent.AgentHostProvider;
 import rsal.agent.AgentLanguage;
 import rsal.agent.AgentOutline;
 import rsal.agent.AgentType;
@@ -15,16 +13,13 @@ import rsal.settings.FileSource;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
-/// An agent that its author wrote in a file, in Java or in a language of a host, as AgentSpeak, for `rsal
-/// show`.
+/// An agent that its author wrote in a file, in Java, Python or AgentSpeak, for `rsal show`.
 ///
-/// @param hosts keys of those that run it
 /// @param needs types of devices that its robot must have
 /// @param hears names of topics
 public record ShownAgent(
         String file,
         String description,
-        List<String> hosts,
         List<String> needs,
         List<InstalledKind.Setting> settings,
         List<Line> goals,
@@ -47,42 +42,27 @@ public record ShownAgent(
     /// @return empty when its name is that of none
     /// @throws InvalidSettings with the mistakes in it, or when it can't be read
     static Optional<ShownAgent> of(String path) {
-        List<AgentHostProvider> hosts = hosts(path);
-        return hosts.stream()
-                .flatMap(host -> language(host, path))
-                .findFirst()
-                .map(language -> of(
-                        path,
-                        language,
-                        hosts.stream().map(AgentHostProvider::key).toList()));
+        return language(path).map(language -> of(path, language));
     }
 
     /// Whether a file is called like the program of an agent.
     public static boolean is(String path) {
-        return !hosts(path).isEmpty();
+        return language(path).isPresent();
     }
 
-    private static List<AgentHostProvider> hosts(String path) {
-        return Providers.byKey(AgentHostProvider.class, AgentHostProvider::key).values().stream()
-                .filter(host -> language(host, path).findAny().isPresent())
-                .toList();
+    private static Optional<AgentLanguage> language(String path) {
+        return Providers.byKey(AgentLanguage.class, AgentLanguage::suffix).values().stream()
+                .filter(language -> language.reads(path))
+                .findFirst();
     }
 
-    private static Stream<AgentLanguage> language(AgentHostProvider host, String path) {
-        return Stream.concat(
-                        host.languages().stream(),
-                        Providers.byKey(AgentLanguage.class, AgentLanguage::suffix).values().stream())
-                .filter(language -> path.endsWith(language.suffix()));
-    }
-
-    private static ShownAgent of(String path, AgentLanguage language, List<String> hosts) {
+    private static ShownAgent of(String path, AgentLanguage language) {
         AgentType type = language.read(name(path), FileSource.folder(folder(path)), Location.of(path));
         InstalledKind kind = InstalledKind.of(type);
         AgentOutline outline = type.outline().orElse(UNKNOWN);
         return new ShownAgent(
                 path,
                 kind.description(),
-                hosts,
                 kind.needs(),
                 kind.settings(),
                 Line.of(outline.goals()),
@@ -107,7 +87,7 @@ public record ShownAgent(
 
     /// For people.
     String text() {
-        var text = new StringBuilder("%s: an agent for %s%n".formatted(file, String.join(", ", hosts)));
+        var text = new StringBuilder("%s: an agent%n".formatted(file));
         if (!description.isEmpty()) {
             text.append(description).append('\n');
         }

@@ -22,7 +22,7 @@ import rsal.world.SceneFormat;
 
 /// What scenarios can name in this installation, by key, in the order of the keys.
 ///
-/// @param languages in which agents can be written on every multi-agent system, by suffix
+/// @param languages in which people write agents, by suffix
 /// @param plugins languages in which people write plugins, by suffix
 /// @param formats of world files, by suffix
 public record Catalog(
@@ -111,23 +111,10 @@ public record Catalog(
         return found;
     }
 
-    /// Keys of the hosts that run agents written in the language of a file of such a name; none when it is in none.
-    public List<String> hostsOf(String file) {
-        return hosts.entrySet().stream()
-                .filter(host -> language(host.getValue(), file).isPresent())
-                .map(Map.Entry::getKey)
-                .toList();
-    }
-
-    /// Languages in which agents on a host can be written, besides those types that are installed.
-    public Stream<AgentLanguage> languages(AgentHostProvider host) {
-        return Stream.concat(host.languages().stream(), languages.values().stream());
-    }
-
-    /// The language of a file of such a name, when agents on a host can be written in it.
-    public Optional<AgentLanguage> language(AgentHostProvider host, String file) {
-        return languages(host)
-                .filter(language -> file.endsWith(language.suffix()))
+    /// The language of an agent's file; empty for a name that is no such file's.
+    public Optional<AgentLanguage> language(String name) {
+        return languages.values().stream()
+                .filter(language -> language.reads(name))
                 .findFirst();
     }
 
@@ -138,7 +125,7 @@ public record Catalog(
                 agents,
                 key,
                 at,
-                " An agent of your own is named by its file, such as Watcher.java.",
+                " An agent of your own is named by its file, such as Watcher.java, watcher.py or watcher.asl.",
                 problems);
     }
 }

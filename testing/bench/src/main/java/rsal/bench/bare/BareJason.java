@@ -46,6 +46,11 @@ public final class BareJason implements BareLanguage {
     }
 
     @Override
+    public String suffix() {
+        return ".asl";
+    }
+
+    @Override
     public String text(Program program) {
         try (InputStream in = file(program).openStream()) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);

@@ -6,6 +6,7 @@ import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -56,7 +57,8 @@ public final class WrittenBench implements Bench {
 
         /// The programs as our host reads them.
         private Map<Program, AgentType> types() {
-            AgentLanguage language = host.languages().getFirst();
+            AgentLanguage language = Objects.requireNonNull(
+                    Providers.byKey(AgentLanguage.class, AgentLanguage::suffix).get(bare.suffix()), bare.suffix());
             var types = new EnumMap<Program, AgentType>(Program.class);
             for (Program program : Program.values()) {
                 String file = program.name() + language.suffix();

@@ -1,0 +1,210 @@
+package rsal.python;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BiConsumer;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import rsal.agent.AgentContext;
+import rsal.agent.protocol.ContractNet;
+import rsal.agent.protocol.ConversationResult;
+import rsal.agent.protocol.Request;
+import rsal.agent.protocol.RetryPolicy;
+import rsal.python.PythonRequests.Heard;
+
+/// The conversations of an agent in Python: requests and contract nets, about maps. On the agent's lane.
+@SuppressWarnings("rawtypes") // the contents of a conversation are told by a class, which has no parameters
+final class PythonConversations {
+    private final AgentContext self;
+    private final Heard heard;
+    private final Map<String, Request<Map, Map>> requests = new HashMap<>(); // by service
+    private final Map<String, ContractNet<Map, Map, Map>> nets = new HashMap<>(); // by service
+    private final Map<Integer, BiConsumer<String, Object>> dialogues = new HashMap<>(); // what Python can say in each
+    private int begun;
+
+    PythonConversations(AgentContext self, Heard heard) {
+        this.self = self;
+        this.heard = heard;
+    }
+
+    void perform(PythonRequests.Request asked) {
+        switch (asked.verb()) {
+            case "ask" -> ask(asked);
+            case "answer" -> answer(asked.number(0), asked.text(1));
+            case "tender" -> tender(asked);
+            case "bid" -> bid(asked.number(0), asked.text(1));
+            case "agree", "inform", "refuse", "fail", "propose" -> say(asked);
+            default -> throw new IllegalArgumentException("RSAL knows no '%s'.".formatted(asked.verb()));
+        }
+    }
+
+    private Request<Map, Map> request(String service) {
+        return requests.computeIfAbsent(service, name -> new Request<>(self, name, Map.class, Map.class));
+    }
+
+    private ContractNet<Map, Map, Map> net(String service) {
+        return nets.computeIfAbsent(service, name -> new ContractNet<>(self, name, Map.class, Map.class, Map.class));
+    }
+
+    private void ask(PythonRequests.Request asked) {
+        int number = asked.number(0);
+        Duration silence = asked.seconds(4);
+        Duration repeat = silence.compareTo(RetryPolicy.DEFAULT.repeat()) < 0 ? silence : RetryPolicy.DEFAULT.repeat();
+        request(asked.text(2))
+                .ask(
+                        asked.text(1),
+                        FromWords.map(orEmpty(asked.argument(3))),
+                        new RetryPolicy(repeat, silence),
+                        ending -> heard.hear(number, false, words(ending)));
+    }
+
+    private static Object orEmpty(@Nullable Object words) {
+        return words == null ? Map.of() : words;
+    }
+
+    private static Map<String, Object> words(ConversationResult<Map> ending) {
+        var words = new LinkedHashMap<String, Object>(Map.of("content", Map.of(), "why", ""));
+        switch (ending) {
+            case ConversationResult.Informed<Map>(Map result) -> {
+                words.put("how", "informed");
+                words.put("content", result);
+            }
+            case ConversationResult.Refused<Map>(String why) -> ended(words, "refused", why);
+            case ConversationResult.Failed<Map>(String why) -> ended(words, "failed", why);
+            case ConversationResult.NotUnderstood<Map>(String why) -> ended(words, "not understood", why);
+            case ConversationResult.Silent<Map>(String why) -> ended(words, "silent", why);
+            case ConversationResult.Cancelled<Map>() -> ended(words, "cancelled", "");
+        }
+        return words;
+    }
+
+    private static void ended(Map<String, Object> words, String how, String why) {
+        words.put("how", how);
+        words.put("why", why);
+    }
+
+    private void say(PythonRequests.Request asked) {
+        int dialogue = asked.number(0);
+        BiConsumer<String, Object> partner = dialogues.get(dialogue);
+        if (partner != null) { // else it is not wanted any more
+            if (!asked.verb().equals("agree")) {
+                dialogues.remove(dialogue);
+            }
+            partner.accept(asked.verb(), asked.words().size() > 3 ? orEmpty(asked.argument(1)) : "");
+        }
+    }
+
+    private int dialogue(BiConsumer<String, Object> partner) {
+        begun++;
+        dialogues.put(begun, partner);
+        return begun;
+    }
+
+    private void answer(int number, String service) {
+        request(service).answer(question -> {
+            int dialogue = dialogue((verb, content) -> {
+                switch (verb) {
+                    case "agree" -> question.agree();
+                    case "inform" -> question.inform(FromWords.map(content));
+                    case "refuse" -> question.refuse(content.toString());
+                    default -> question.fail(content.toString());
+                }
+            });
+            question.whenUnwanted(() -> dialogues.remove(dialogue));
+            heard.hear(
+                    number, false, Map.of("sender", question.from(), "content", question.what(), "dialogue", dialogue));
+        });
+    }
+
+    private void bid(int number, String service) {
+        net(service).answer(new ContractNet.Contractor<>() {
+            @Override
+            public void called(ContractNet.Call<Map, Map> call) {
+                int dialogue = dialogue((verb, content) -> {
+                    if (verb.equals("propose")) {
+                        call.propose(FromWords.map(content));
+                    } else {
+                        call.refuse(content.toString());
+                    }
+                });
+                heard.hear(
+                        number,
+                        false,
+                        Map.of(
+                                "sender",
+                                call.from(),
+                                "content",
+                                call.task(),
+                                "replyBy",
+                                call.replyBy(),
+                                "dialogue",
+                                dialogue));
+            }
+
+            @Override
+            public void accepted(ContractNet.Contract<Map, Map> contract) {
+                int dialogue = dialogue((verb, content) -> {
+                    switch (verb) {
+                        case "agree" -> {} // the accepted bid has said so
+                        case "inform" -> contract.inform(FromWords.map(content));
+                        default -> contract.fail(content.toString());
+                    }
+                });
+                contract.whenUnwanted(() -> dialogues.remove(dialogue));
+                heard.hear(
+                        number,
+                        false,
+                        Map.of("sender", contract.from(), "content", contract.task(), "dialogue", dialogue));
+            }
+        });
+    }
+
+    /// Less is better. Of equal ones the first by name is.
+    private static double rank(ContractNet.Proposal<Map> proposal, String criterion, boolean least) {
+        if (!(proposal.bid().get(criterion) instanceof Number number)) {
+            throw new IllegalArgumentException(
+                    "The bid of '%s' has no number '%s': %s.".formatted(proposal.from(), criterion, proposal.bid()));
+        }
+        return least ? number.doubleValue() : -number.doubleValue();
+    }
+
+    private void tender(PythonRequests.Request asked) {
+        int number = asked.number(0);
+        String criterion = asked.text(5);
+        boolean least = Boolean.TRUE.equals(asked.argument(6));
+        int most = asked.number(7);
+        var to = new ArrayList<String>();
+        asked.list(3).forEach(name -> to.add(String.valueOf(name)));
+        net(asked.text(1))
+                .call(to, FromWords.map(orEmpty(asked.argument(2))), asked.seconds(4), new ContractNet.Manager<>() {
+                    @Override
+                    public ContractNet.Verdict<Map> decide(ContractNet.Round<Map> round) {
+                        List<Map<String, Object>> chosen = round.proposals().stream()
+                                .sorted(Comparator.comparingDouble(each -> rank(each, criterion, least)))
+                                .limit(most)
+                                .map(each -> Map.<String, Object>of("sender", each.from(), "bid", each.bid()))
+                                .toList();
+                        heard.hear(
+                                number,
+                                false,
+                                Map.of("proposals", round.proposals().size(), "chosen", chosen));
+                        return new ContractNet.Verdict.Award<>(chosen.stream()
+                                .map(each -> String.valueOf(each.get("sender")))
+                                .collect(Collectors.toCollection(LinkedHashSet::new)));
+                    }
+
+                    @Override
+                    public void ended(ContractNet.Proposal<Map> accepted, ConversationResult<Map> how) {
+                        var words = new LinkedHashMap<String, Object>(words(how));
+                        words.put("sender", accepted.from());
+                        heard.hear(number, false, words);
+                    }
+                });
+    }
+}

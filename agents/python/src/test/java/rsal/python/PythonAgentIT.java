@@ -1,0 +1,431 @@
+package rsal.python;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import rsal.agent.Agent;
+import rsal.agent.AgentSpec;
+import rsal.agent.AgentType;
+import rsal.agent.Message;
+import rsal.agent.Topic;
+import rsal.agent.bdi.Mind;
+import rsal.agent.message.PoseReport;
+import rsal.agent.platform.AgentPlatform;
+import rsal.agent.platform.PlainHost;
+import rsal.agent.protocol.ContractNet;
+import rsal.agent.protocol.Request;
+import rsal.data.Pose2d;
+import rsal.robot.DeviceDriver;
+import rsal.robot.Robot;
+import rsal.settings.Arguments;
+import rsal.system.RobotSystemProvider;
+import rsal.testkit.contract.RobotBench;
+import rsal.testkit.fake.FakeLocalizer;
+import rsal.testkit.fake.FakeNavigator;
+import rsal.testkit.fake.FakePlanner;
+import rsal.testkit.fake.FakeProvider;
+import rsal.testkit.fake.TestedType;
+
+/// Agents in Python, in simulated time.
+@SuppressWarnings("rawtypes") // contents are told by a class, which has no parameters
+class PythonAgentIT extends RobotBench {
+    private final List<String> lines = new ArrayList<>(); // printed
+    private final List<Message<?>> said = new ArrayList<>();
+    private final Map<String, Double> metrics = new HashMap<>();
+    private AgentPlatform platform;
+
+    @Override
+    protected RobotSystemProvider provider() {
+        return new FakeProvider();
+    }
+
+    @Override
+    protected Map<String, String> parts() {
+        return Map.of("battery", "pioneer-battery", "gripper", "pioneer-gripper");
+    }
+
+    @Override
+    protected List<DeviceDriver> drivers() {
+        return List.of(new FakeLocalizer.Driver(), new FakeNavigator.Driver(), new FakePlanner.Driver());
+    }
+
+    @BeforeEach
+    void gather() {
+        platform = new AgentPlatform(run, new PlainHost(run), system().simulation());
+        platform.onMessage(said::add);
+        platform.onPrint(print -> lines.add(print.line()));
+        platform.onMetric(metric -> metrics.put(metric.name(), metric.value()));
+    }
+
+    @AfterEach
+    void close() {
+        platform.close();
+    }
+
+    private void start(String name, String body) {
+        start(name, body, Map.of(), Optional.empty());
+    }
+
+    private void startOnRobot(String body) {
+        start("a", body, Map.of(), Optional.of(robot()));
+    }
+
+    /// @param body of the class
+    private void start(String name, String body, Map<String, Object> arguments, Optional<Robot> robot) {
+        AgentType type = type(name + ".py", """
+                import math, random, sys, time
+                import rsal
+                from rsal.agents.devices import *
+                from rsal.agents.messages import *
+                from rsal.agents import Refusal
+                from rsal.agents.values import *
+                BIDS = rsal.Topic("bids", dict)
+                class A(rsal.Agent):
+                """ + body.indent(4));
+        platform.start(new AgentSpec(
+                name, "tested", type, Arguments.of(type.parameters(), arguments), robot, name.hashCode()));
+    }
+
+    private static AgentType type(String file, String text) {
+        return Texts.type(file, Map.of(file, text));
+    }
+
+    private void start(String name, Agent agent) {
+        platform.start(new AgentSpec(
+                name, "tested", new TestedType(agent), Arguments.defaults(List.of()), Optional.empty(), 1));
+    }
+
+    private AgentPlatform.View view(String name) {
+        return platform.view(name).orElseThrow();
+    }
+
+    @Test
+    void itHasItsArgumentsItsNameAndItsTime() {
+        start("amy", """
+                pace: float = rsal.Param(0.5)
+                words: str = rsal.Param("hi")
+                def on_start(self):
+                    print(self.name, self.role, self.pace, self.words, self.time)
+                    self.after(1.5, self.later, "later")
+                    beats = self.every(0.4, self.beat)
+                    self.after(1.0, beats.cancel)
+                def later(self, word):
+                    print(word, self.time)
+                def beat(self):
+                    print("beat", round(self.time, 3))
+                """, Map.of("pace", 2), Optional.empty());
+        advance(3);
+        assertThat(lines).containsExactly("amy tested 2.0 hi 0.0", "beat 0.4", "beat 0.8", "later 1.5");
+    }
+
+    @Test
+    void itReadsItsDevicesAndDrives() {
+        startOnRobot("""
+                def on_start(self):
+                    self.robot.laser.subscribe(self.on_scan)
+                    self.scans = 0
+                    print([each.name for each in self.robot.devices])
+                    print(self.robot.base.latest is None, self.robot.find(Imu))
+                def on_scan(self, scan):
+                    self.scans += 1
+                    self.robot.base.command(0.2)
+                    if self.scans == 5:
+                        value = scan.value
+                        print(scan.frame, value.ranges.dtype, len(value.ranges) == len(value.angles), math.isclose(scan.time, self.time))
+                        self.show("nearest", round(value.nearest(-0.3, 0.3), 1))
+                        self.show("x", self.simulation.truth("r1").x > -16)
+                        print(self.robot.base.enabled, type(self.robot.localizer.latest.value.map_from_base).__name__, self.robot.battery.health)
+                """);
+        Pose2d before = truth();
+        advance(5);
+        assertThat(lines)
+                .contains("r1/laser float32 True True", "True Pose2d HealthOk()")
+                .anySatisfy(line -> assertThat(line).contains("'laser'", "'fake-navigator'"));
+        assertThat(view("a").beliefs()).containsKey("nearest").containsEntry("x", "True");
+        assertThat(truth().x()).isGreaterThan(before.x() + 0.5);
+    }
+
+    @Test
+    void itWaitsForGoalsAndPlans() {
+        startOnRobot("""
+                async def on_start(self):
+                    await self.sleep(0.5)
+                    here = self.robot.localizer.latest.value.map_from_base
+                    goal = Pose2d(here.x + 1, here.y, 0.0)
+                    costs = await self.robot.planner.costs(here, [goal, here])
+                    print(len(costs), costs[1] <= costs[0])
+                    drive = self.robot.navigator.go_to(goal, distance=0.2)
+                    drive.on_feedback(self.on_feedback)
+                    self.far = 0.0
+                    match await drive:
+                        case Navigator.Reached(map_from_base=there):
+                            print("reached", there.distance_to(goal) < 0.3, self.far > 0.5)
+                    drive = self.robot.navigator.go_to(here)
+                    self.after(0.5, drive.cancel)
+                    print(type(await drive).__name__)
+                    print(type(await self.robot.gripper.close()).__name__)
+                def on_feedback(self, progress):
+                    self.far = max(self.far, progress.value.remaining)
+                """);
+        advance(20);
+        assertThat(lines).containsExactly("2 True", "reached True True", "NavigatorCancelled", "GripperReached");
+    }
+
+    @Test
+    void topicsAreSharedWithJava() {
+        var heard = new ArrayList<Object>();
+        start("java", self -> {
+            self.subscribe(new Topic<>("bids", Map.class), message -> {
+                heard.add(message.content());
+                self.send("amy", new Topic<>("bids", Map.class), Map.of("price", 4, "of", List.of("a", 1.5)));
+            });
+            self.subscribe(PoseReport.TOPIC, message -> heard.add(message.content()));
+        });
+        start("amy", """
+                def on_start(self):
+                    self.subscribe(BIDS, self.on_bid)
+                    self.subscribe(PoseReport, self.on_pose, at_most_every=1.0)
+                    self.publish(PoseReport("r9", "role", Pose2d(1, 2.5, 3)))
+                    self.publish(BIDS, {"price": 3, "who": None})
+                def on_bid(self, message):
+                    print(message.sender, message.to, message.content)
+                def on_pose(self, message):
+                    print(message.content.map_from_base.x)
+                """);
+        start("bob", """
+                def on_start(self):
+                    self.x = 0
+                    self.every(0.3, self.report)
+                def report(self):
+                    self.x += 1
+                    self.publish(PoseReport("r8", "role", Pose2d(self.x, 0, 0)))
+                """);
+        advance(2);
+        assertThat(heard)
+                .contains(new PoseReport("r9", "role", new Pose2d(1, 2.5, 3)))
+                .anySatisfy(content -> assertThat(content).hasToString("{price=3, who=null}"));
+        assertThat(lines).containsExactly("java amy {'of': ['a', 1.5], 'price': 4}", "1.0", "5.0");
+    }
+
+    @Test
+    void itFindsOthersAndKeepsNotes() {
+        start(
+                "java",
+                self -> self.scheduler().after(Duration.ofSeconds(1), () -> {
+                    throw new IllegalStateException("gone");
+                }));
+        start("amy", """
+                def on_start(self):
+                    self.on_departure(lambda name, why: print("went", name, why))
+                    self.offer("gripper", reach="0.3 m")
+                    self.blackboard.write(PoseReport, "last", PoseReport("r", "s", Pose2d(1, 2, 3)), lifetime=1.0)
+                    self.blackboard.write(BIDS, "own", {"a": 1})
+                    self.after(0.5, self.look)
+                    self.after(2.0, self.look)
+                def look(self):
+                    print([each.name for each in self.agents()], [each.services for each in self.agents(offering="gripper")])
+                    print([note.content.map_from_base.y for note in self.blackboard.read(PoseReport)], self.blackboard.read(BIDS)[0].content)
+                """);
+        advance(3);
+        assertThat(lines)
+                .containsExactly(
+                        "['java', 'amy'] [{'gripper': {'reach': '0.3 m'}}]",
+                        "[2.0] {'a': 1}",
+                        "went java gone",
+                        "['amy'] [{'gripper': {'reach': '0.3 m'}}]",
+                        "[] {'a': 1}");
+    }
+
+    @Test
+    void requestsGoBothWays() {
+        start("java", self -> {
+            var weight = new Request<>(self, "weight", Map.class, Map.class);
+            weight.answer(
+                    asked -> asked.inform(Map.of("kg", 2, "of", asked.what().get("thing"))));
+            var doubled = new Request<>(self, "double", Map.class, Map.class);
+            self.scheduler().after(Duration.ofSeconds(1), () -> {
+                doubled.ask("amy", Map.of("n", 21), ending -> self.print(ending.toString()));
+                doubled.ask("amy", Map.of("n", -1), ending -> self.print(ending.toString()));
+            });
+        });
+        start("amy", """
+                async def on_start(self):
+                    self.answer("double", self.double)
+                    result = await self.ask("java", "weight", {"thing": "box"})
+                    print(result.informed, result.content)
+                    result = await self.ask("nobody", "weight", {})
+                    print(result.how)
+                async def double(self, question):
+                    await self.sleep(0.5)
+                    if question.content["n"] < 0:
+                        raise Refusal("too little")
+                    return {"n": 2 * question.content["n"]}
+                """);
+        advance(10);
+        assertThat(lines)
+                .contains("True {'kg': 2, 'of': 'box'}", "silent", "Informed[result={n=42}]", "Failed[why=too little]");
+    }
+
+    @Test
+    void contractNetsGoBothWays() {
+        start(
+                "java",
+                self -> new ContractNet<>(self, "haul", Map.class, Map.class, Map.class)
+                        .answer(new ContractNet.Contractor<>() {
+                            @Override
+                            public void called(ContractNet.Call<Map, Map> call) {
+                                call.propose(Map.of("cost", 3));
+                            }
+
+                            @Override
+                            public void accepted(ContractNet.Contract<Map, Map> contract) {
+                                contract.inform(Map.of("by", "java"));
+                            }
+                        }));
+        String bidder = """
+                def on_start(self):
+                    self.bid("haul", self.propose, self.haul)
+                def propose(self, call):
+                    return {"cost": len(self.name)} if call.task["thing"] == "box" else None
+                async def haul(self, question):
+                    await self.sleep(1.0)
+                    return {"by": self.name, "at": round(self.time, 1)}
+                """;
+        start("al", bidder);
+        start("barbara", bidder);
+        start("boss", """
+                async def on_start(self):
+                    names = ["java", "al", "barbara"]
+                    for award in await self.call("haul", {"thing": "box"}, names, least="cost", count=2):
+                        print(award.sender, award.bid, award.result.content)
+                    for award in await self.call("haul", {"thing": "can"}, names, most="cost"):
+                        print(award.sender)
+                    print(await self.call("haul", {"thing": "can"}, ["nobody"], most="cost", within=0.5))
+                """);
+        advance(12);
+        assertThat(lines)
+                .containsExactly(
+                        "java {'cost': 3} {'by': 'java'}", "al {'cost': 2} {'by': 'al', 'at': 1.0}", "java", "[]");
+    }
+
+    @Test
+    void itsMindAndItsMetricsAreShown() {
+        start("amy", """
+                def on_start(self):
+                    self.mind.believe("door", "open")
+                    self.mind.pursue("guard", "go to the door")
+                    self.mind.pursue("rest")
+                    self.mind.reach("rest")
+                    self.metric("seen", 3)
+                    self.state("guarding")
+                """);
+        advance(0.1);
+        Mind.View mind = platform.look("amy", Mind.View.class).orElseThrow();
+        assertThat(mind.beliefs()).containsEntry("door", "open");
+        assertThat(mind.goals())
+                .extracting(goal -> goal.name() + " " + goal.state())
+                .containsExactly("guard SUSPENDED", "rest REACHED");
+        assertThat(metrics).containsEntry("seen", 3.0);
+        assertThat(view("amy").state()).isEqualTo("guarding");
+    }
+
+    @Test
+    void aMistakeEndsOneAgentAndSaysWhere() {
+        String body = """
+                def on_start(self):
+                    self.after(1.0, self.tick, self.name)
+                    self.after(2.0, print, "alive")
+                def tick(self, name):
+                    if name == "amy":
+                        return {}["prey"]
+                    if name == "bob":
+                        self.robot
+                    if name == "eve":
+                        self.metric("", 1.0)
+                    if name == "sue":
+                        sys.exit(3)
+                """;
+        for (String name : List.of("amy", "bob", "eve", "sue", "zoe")) {
+            start(name, body);
+        }
+        advance(3);
+        assertThat(lines).containsExactly("alive");
+        assertThat(view("amy").state()).isEqualTo("amy.py:14 in tick: KeyError: 'prey'");
+        assertThat(view("bob").state()).startsWith("bob.py:16 in tick: LookupError: Agent 'bob' has no robot.");
+        assertThat(view("eve").state()).startsWith("eve.py:18 in tick: A metric has a name");
+        assertThat(view("sue").state()).isEqualTo("sue.py:20 in tick: SystemExit: 3");
+    }
+
+    @Test
+    void itCannotWaitForTheClockOfTheMachine() {
+        start("amy", """
+                async def on_start(self):
+                    import asyncio
+                    await asyncio.sleep(1)
+                """);
+        advance(0.1);
+        assertThat(view("amy").status()).isEqualTo(AgentPlatform.Status.FAILED);
+        assertThat(view("amy").state()).startsWith("amy.py:11 in on_start: ");
+    }
+
+    @Test
+    void aProcessThatDiesEndsItsAgentsWithItsLastWords() {
+        String body = """
+                def on_start(self):
+                    self.after(1.0, self.tick)
+                    self.after(2.0, print, "alive")
+                def tick(self):
+                    if self.name == "amy":
+                        import os
+                        os.write(2, b"my last words\\n")
+                        os._exit(9)
+                """;
+        start("amy", body);
+        start("bob", body);
+        start("java", self -> self.scheduler().after(Duration.ofSeconds(2), () -> self.print("java lives")));
+        advance(3);
+        assertThat(lines).containsExactly("java lives");
+        for (String name : List.of("amy", "bob")) {
+            assertThat(view(name).state()).isEqualTo("Python ended with code 9. Its last words: my last words");
+        }
+    }
+
+    @Test
+    void whatItPrintsDoesNotDisturbFrames() {
+        start("amy", """
+                def on_start(self):
+                    sys.stdout.write("one\\ntwo")
+                    import os
+                    os.write(1, b"raw\\n")
+                def on_stop(self):
+                    print("bye")
+                """);
+        advance(0.1);
+        platform.stop("amy");
+        assertThat(lines).containsExactly("one", "two", "bye");
+    }
+
+    @Test
+    void equalSeedsGiveEqualRandomness() {
+        String body = """
+                def on_start(self):
+                    print(self.random.random(), self.rng.integers(1000), list({"a", "b", "c", "dd"}))
+                """;
+        start("amy", body);
+        start("bob", body);
+        advance(0.1);
+        platform.stop("amy");
+        start("amy", body);
+        advance(0.1);
+        assertThat(lines).hasSize(3);
+        assertThat(lines.get(2)).isEqualTo(lines.get(0)).isNotEqualTo(lines.get(1));
+    }
+}

@@ -1,0 +1,128 @@
+package rsal.python;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rsal.agent.AgentType;
+import rsal.device.Localizer;
+import rsal.device.Navigator;
+import rsal.settings.InvalidSettings;
+import rsal.settings.Location;
+import rsal.settings.Parameter;
+
+class PythonLanguageIT {
+    private static final String HUNTER = """
+            import rsal
+            from rsal.agents.devices import Localizer, Navigator
+            raise SystemError("nobody may run this file")
+
+            class Hunter(rsal.Agent):
+                '''Hunts
+                one robot.
+
+                More about it.
+                '''
+                prey: str = rsal.Param("prey", robots=True, description="Whom it hunts.")
+                speed: float = rsal.Param(0.5, min=0.1, max=1, unit="m/s", description="How fast.")
+                tries: int = rsal.Param(min=1)
+                mode: str = rsal.Param("fixed", choices=["fixed", "nearest"])
+                loud: bool = rsal.Param(False)
+                other = 3
+                needs = [Localizer, Navigator]
+            """;
+
+    @Test
+    void aFileSaysWhatItNeedsWithoutBeingRun() {
+        AgentType type = Texts.type(HUNTER);
+        assertThat(type.key()).isEqualTo("a.py");
+        assertThat(type.description()).isEqualTo("Hunts one robot.");
+        assertThat(type.needs()).containsExactly(Localizer.class, Navigator.class);
+        assertThat(type.parameters())
+                .extracting(Parameter::name)
+                .containsExactly("prey", "speed", "tries", "mode", "loud");
+        assertThat(type.parameters())
+                .extracting(Parameter::expected)
+                .containsExactly(
+                        "a role of robots or the id of one",
+                        "a number from 0.1 to 1 [m/s]",
+                        "a whole number of at least 1",
+                        "one of fixed, nearest",
+                        "true or false");
+        assertThat(type.parameters().get(1).fallback()).isEqualTo(Optional.of(0.5));
+        assertThat(type.parameters().get(2).fallback()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            speed: float = rsal.Param(1.0   | speed: float = rsal.Param(2 * pi        | a.py:5:31: The default of 'speed' is not a literal: '2 * pi'.
+            speed: float = rsal.Param(1.0   | speed: list = rsal.Param(1.0            | a.py:5:12: A parameter cannot have the type 'list'.
+            speed: float = rsal.Param(1.0   | speed = rsal.Param(1.0                  | a.py:5:5: Parameter 'speed' has no type.
+            speed: float = rsal.Param(1.0   | speed: float = rsal.Param(3.0           | a.py:5:20: The default of 'speed' does not fit: '3.0'.
+            speed: float = rsal.Param(1.0   | speed: float = rsal.Param(1.0, mx=2     | a.py:5:39: 'Param' has no 'mx'.
+            needs = [Navigator]             | needs = [Navigater]                     | a.py:4:14: There is no device 'Navigater'.
+            (rsal.Agent):                   | (object):                               | a.py:1:1: This file has no class that inherits from 'rsal.Agent'.
+            needs = [Navigator]             | needs = [Navigator                      | a.py:4:13: This is not Python: '[' was never closed.
+            """)
+    void mistakesSayWhereTheyAre(String right, String wrong, String message) {
+        String text = """
+                import rsal
+                from rsal.agents.devices import Navigator
+                class A(rsal.Agent):
+                    needs = [Navigator]
+                    speed: float = rsal.Param(1.0, min=0, max=2)
+                """;
+        assertThat(Texts.type(text).parameters()).hasSize(1);
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Texts.type(text.replace(right, wrong)))
+                .withMessageContaining(message);
+    }
+
+    @Test
+    void oneOfSeveralAgentsIsNamed() {
+        String text = """
+                import rsal
+                class A(rsal.Agent):
+                    size: int = rsal.Param(1)
+                class B(rsal.Agent):
+                    '''The other.'''
+                class C(A):
+                    more: int = rsal.Param(2)
+                """;
+        assertThat(Texts.type("a.py:B", Map.of("a.py", text)).description()).isEqualTo("The other.");
+        assertThat(Texts.type("a.py:C", Map.of("a.py", text)).parameters())
+                .extracting(Parameter::name)
+                .containsExactly("size", "more");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Texts.type(text))
+                .withMessageContaining("a.py:6:1: This file has several agents: B, C.")
+                .withMessageContaining("'type: FILE.py:B'");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Texts.type("a.py:D", Map.of("a.py", text)))
+                .withMessageContaining("There is no class 'D'");
+    }
+
+    @Test
+    void aPythonThatCannotBeStartedIsNamed() {
+        AgentType known = Texts.type(HUNTER);
+        assertThat(known.key()).isEqualTo("a.py");
+        String before = System.setProperty(Interpreter.PROPERTY, "/nowhere/python3");
+        try {
+            assertThatExceptionOfType(InvalidSettings.class)
+                    .isThrownBy(() -> new PythonLanguage()
+                            .read(
+                                    "a.py",
+                                    (_, _, _) -> "import rsal".getBytes(StandardCharsets.UTF_8),
+                                    Location.of("scenario.yaml")))
+                    .withMessageContaining("scenario.yaml: Python can't be run for 'a.py'")
+                    .withMessageContaining("pip install numpy");
+        } finally {
+            System.setProperty(Interpreter.PROPERTY, before);
+        }
+    }
+}

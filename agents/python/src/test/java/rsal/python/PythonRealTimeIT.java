@@ -1,0 +1,114 @@
+package rsal.python;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import rsal.agent.AgentSpec;
+import rsal.agent.AgentType;
+import rsal.agent.Topic;
+import rsal.agent.platform.AgentPlatform;
+import rsal.agent.platform.PlainHost;
+import rsal.settings.Arguments;
+import rsal.testkit.fake.TestedType;
+import rsal.time.WallScheduler;
+
+/// Agents in Python, in real time: a slow one never holds up the run.
+@SuppressWarnings("rawtypes") // contents are told by a class, which has no parameters
+class PythonRealTimeIT {
+    private static final Topic<Map> NUMBERS = new Topic<>("numbers", Map.class);
+
+    private final WallScheduler run = new WallScheduler("run", Runnable::run);
+    private final AgentPlatform platform = new AgentPlatform(run, new PlainHost(run), Optional.empty());
+    private final List<String> lines = new CopyOnWriteArrayList<>();
+
+    @AfterEach
+    void close() {
+        run.exclusively(platform::close);
+        run.close();
+    }
+
+    private void start(String name, String body) {
+        String text = "import time\nimport rsal\nNUMBERS = rsal.Topic('numbers', dict)\nclass A(rsal.Agent):\n"
+                + body.indent(4);
+        AgentType type = Texts.type(name + ".py", Map.of(name + ".py", text));
+        run.exclusively(() -> {
+            platform.onPrint(print -> lines.add(print.agent() + ": " + print.line()));
+            platform.start(new AgentSpec(name, "tested", type, Arguments.defaults(List.of()), Optional.empty(), 1));
+        });
+    }
+
+    private static void await(BooleanSupplier done) throws InterruptedException {
+        for (int i = 0; i < 2000 && !done.getAsBoolean(); i++) {
+            TimeUnit.MILLISECONDS.sleep(10);
+        }
+        assertThat(done.getAsBoolean()).isTrue();
+    }
+
+    @Test
+    void aSlowOneKeepsMessagesAndHoldsUpNobody() throws InterruptedException {
+        var beats = new AtomicInteger();
+        start("slow", """
+                def on_start(self):
+                    self.heard = []
+                    self.ticks = 0
+                    self.subscribe(NUMBERS, self.on_number)
+                    self.every(0.01, self.tick)
+                    print("ready")
+                def tick(self):
+                    self.ticks += 1
+                def on_number(self, message):
+                    self.heard.append(message.content["n"])
+                    if message.content["n"] == 0:
+                        time.sleep(1.0)
+                    if message.content["n"] == 49:
+                        print(self.heard == list(range(50)), self.ticks < 60, self.agents()[0].name)
+                """);
+        await(() -> lines.contains("slow: ready"));
+        run.exclusively(() -> platform.start(new AgentSpec(
+                "java",
+                "tested",
+                new TestedType(self -> self.scheduler().every(Duration.ofMillis(10), () -> {
+                    int n = beats.getAndIncrement();
+                    if (n < 50) {
+                        self.publish(NUMBERS, Map.of("n", n));
+                    }
+                })),
+                Arguments.defaults(List.of()),
+                Optional.empty(),
+                1)));
+        await(() -> beats.get() >= 50);
+        assertThat(lines).containsExactly("slow: ready"); // it sleeps, and the run goes on
+        await(() -> lines.size() > 1);
+        assertThat(lines).containsExactly("slow: ready", "slow: True True slow");
+    }
+
+    @Test
+    void aMistakeEndsItAndItsLastWordsAreHeard() throws InterruptedException {
+        start("amy", """
+                def on_start(self):
+                    self.after(0.05, self.fail)
+                def fail(self):
+                    raise ValueError("so")
+                """);
+        start("bob", """
+                def on_start(self):
+                    print("begins")
+                def on_stop(self):
+                    print("bye")
+                """);
+        await(() -> platform.view("amy").orElseThrow().status() == AgentPlatform.Status.FAILED);
+        assertThat(platform.view("amy").orElseThrow().state()).isEqualTo("amy.py:8 in fail: ValueError: so");
+        await(() -> lines.contains("bob: begins"));
+        run.exclusively(() -> platform.stop("bob"));
+        assertThat(lines).contains("bob: bye");
+    }
+}

@@ -1,0 +1,387 @@
+"""What agents are written with: a class that inherits from :class:`Agent`."""
+
+from __future__ import annotations
+
+import inspect
+import random
+from collections.abc import Callable, Coroutine, Sequence
+from dataclasses import dataclass, is_dataclass
+from typing import Any, ClassVar, Generic, TypeVar, overload
+
+import numpy as np
+
+from rsal.agents import conversations as talk
+from rsal.agents import values as v
+from rsal.agents.convert import decoder, encode
+from rsal.agents.devices import Device, Robot, Sensor, Simulation, Stamped, Subscription
+from rsal.agents.link import Link
+from rsal.agents.waiting import Pending, Task
+
+M = TypeVar("M")
+T = TypeVar("T")
+
+
+class Topic(Generic[M]):
+    """A channel of messages. Those that come with RSAL are named by the class of their messages (``PoseReport``).
+
+    :param name: of the channel; agents in Java hear one of your own as ``new Topic<>("bids", Map.class)``
+    :param kind: ``dict``, or a dataclass of your own
+    """
+
+    def __init__(self, name: str, kind: type[M]) -> None:
+        if kind is not dict and not is_dataclass(kind):
+            raise TypeError(f"Messages of topic '{name}' are a dict or a dataclass, not '{kind.__name__}'.")
+        self.name = name
+        self.kind = kind
+
+
+@dataclass(frozen=True)
+class Message(Generic[M]):
+    """Something said.
+
+    :param sender: name of the agent that said it, or ``operator``
+    :param to: name of the agent it is for; empty when it is for all
+    :param time: when it was said [s]
+    """
+
+    sender: str
+    to: str
+    time: float
+    content: M
+
+
+@dataclass(frozen=True)
+class Entry:
+    """An agent that runs, as the directory has it.
+
+    :param kind: its type, as the scenario names it
+    :param robot: id of its robot; empty when it has none
+    :param services: what it offers, by name, with details
+    """
+
+    name: str
+    role: str
+    kind: str
+    robot: str
+    robot_role: str
+    services: dict[str, dict[str, str]]
+
+
+@dataclass(frozen=True)
+class Note(Generic[M]):
+    """A note on an agent's own blackboard.
+
+    :param written: when [s]
+    """
+
+    name: str
+    content: M
+    written: float
+
+
+def _topic(of: Any) -> tuple[str, Any]:
+    """Name and type of a topic's messages."""
+    if isinstance(of, Topic):
+        return of.name, of.kind
+    if isinstance(of, type) and hasattr(of, "topic"):
+        return of.topic, of
+    raise TypeError(f"'{of!r}' is no topic. Maybe a class of rsal.agents.messages, or rsal.Topic(name, dict)?")
+
+
+def _content(of: Any, message: Any) -> tuple[str, Any]:
+    if message is None:
+        name, _ = _topic(type(of))
+        return name, encode(of)
+    name, kind = _topic(of)
+    if not isinstance(message, kind):
+        raise TypeError(f"Topic '{name}' has messages of type '{kind.__name__}', not '{type(message).__name__}'.")
+    return name, encode(message)
+
+
+class Blackboard:
+    """An agent's own notes, which fade when their time is up."""
+
+    def __init__(self, link: Link) -> None:
+        self._link = link
+
+    def write(self, topic: type[M] | Topic[M], name: str, content: M, lifetime: float | None = None) -> None:
+        """Writes a note, in place of the one of that name.
+
+        :param lifetime: after which it fades [s]; ``None`` for one that stays
+        """
+        key, words = _content(topic, content)
+        self._link.do("write", key, name, words, lifetime)
+
+    def erase(self, topic: type[M] | Topic[M], name: str) -> None:
+        self._link.do("erase", _topic(topic)[0], name)
+
+    def read(self, topic: type[M] | Topic[M]) -> list[Note[M]]:
+        """All notes of a topic, the oldest first."""
+        key, kind = _topic(topic)
+        words, arrays = self._link.ask("notes", key)
+        decode = decoder(kind)
+        return [Note(each["name"], decode(each["content"], arrays), each["written"]) for each in words]
+
+
+class Mind:
+    """Beliefs and goals, as the page shows them."""
+
+    def __init__(self, link: Link) -> None:
+        self._link = link
+
+    def believe(self, name: str, value: object) -> None:
+        """Shows a belief; replaces the one of that name."""
+        self._link.do("believe", name, str(value))
+
+    def forget(self, name: str) -> None:
+        self._link.do("forget", name)
+
+    def pursue(self, goal: str, step: str = "") -> None:
+        """Shows a goal as pursued, with what is done for it now. Another one that was pursued waits."""
+        self._link.do("pursue", goal, step)
+
+    def reach(self, goal: str) -> None:
+        """Shows a goal as reached."""
+        self._link.do("reached", goal)
+
+    def drop(self, goal: str) -> None:
+        """Shows a goal no more."""
+        self._link.do("drop", goal)
+
+
+class Agent:
+    """Decides what a robot, or a team, should do. Write a class that inherits from this, with :meth:`on_start`.
+
+    Its methods are called one after the other. None may block: the run waits for it in simulated time. What a method
+    throws ends this agent alone, with the line in the run's log.
+    """
+
+    needs: ClassVar[Sequence[type[Device]]] = ()
+    """Devices without which it cannot work. Checked before a run."""
+
+    name: str
+    """Unique in a run (``follow-1``)."""
+    role: str
+    """What the scenario calls agents of its kind (``follow``)."""
+    random: random.Random
+    """A stream of this agent's own, by the seed of the run."""
+
+    _link: Link
+    _robot: Robot | None
+    _simulation: Simulation | None
+    _seed: int
+    _rng: np.random.Generator | None
+    _tasks: list[Task]
+
+    def on_start(self) -> Any:
+        """Begins: subscribe, set timers, set off. May be ``async``."""
+
+    def on_stop(self) -> Any:
+        """The run ends, or the agent is stopped. Not called after an exception."""
+
+    # What it is and has
+
+    @property
+    def time(self) -> float:
+        """Time of the run [s]: since its begin in simulated time, else since 1970."""
+        return self._link.time
+
+    @property
+    def robot(self) -> Robot:
+        """The robot it acts for.
+
+        :raises LookupError: when it has none
+        """
+        if self._robot is None:
+            raise LookupError(f"Agent '{self.name}' has no robot. Maybe add 'robot: ROLE' to it in the scenario.")
+        return self._robot
+
+    @property
+    def simulation(self) -> Simulation | None:
+        """The truth of the simulated world; ``None`` where all is real."""
+        return self._simulation
+
+    @property
+    def rng(self) -> np.random.Generator:
+        """A generator of numpy, by the seed of the run."""
+        if self._rng is None:
+            self._rng = np.random.Generator(np.random.PCG64(self._seed))
+        return self._rng
+
+    @property
+    def blackboard(self) -> Blackboard:
+        return Blackboard(self._link)
+
+    @property
+    def mind(self) -> Mind:
+        return Mind(self._link)
+
+    # Messages
+
+    @overload
+    def publish(self, topic: Topic[M], message: M) -> None: ...
+    @overload
+    def publish(self, topic: object) -> None: ...
+    def publish(self, topic: Any, message: Any = None) -> None:
+        """Sends a message to all who listen: ``publish(PoseReport(…))``, or ``publish(BIDS, {"price": 3})``."""
+        self._link.do("publish", *_content(topic, message))
+
+    @overload
+    def send(self, to: str, topic: Topic[M], message: M) -> None: ...
+    @overload
+    def send(self, to: str, topic: object) -> None: ...
+    def send(self, to: str, topic: Any, message: Any = None) -> None:
+        """Sends a message to one agent, if it listens."""
+        self._link.do("send", to, *_content(topic, message))
+
+    @overload
+    def subscribe(self, source: Sensor[T], listener: Callable[[Stamped[T]], object]) -> Subscription: ...
+    @overload
+    def subscribe(
+        self, source: Topic[M] | type[M], listener: Callable[[Message[M]], object], *, at_most_every: float = 0.0
+    ) -> Subscription: ...
+    def subscribe(self, source: Any, listener: Callable[[Any], object], *, at_most_every: float = 0.0) -> Subscription:
+        """Calls a method with each reading of a device, or with each message of a topic.
+
+        :param at_most_every: least time between two messages of one sender [s]
+        """
+        if isinstance(source, Sensor):
+            return source.subscribe(listener)
+        name, kind = _topic(source)
+        decode = decoder(kind)
+
+        def heard(words: Any, arrays: memoryview) -> None:
+            content = decode(words["content"], arrays)
+            self._run(listener, Message(words["sender"], words["to"], words["time"], content))
+
+        number = self._link.listen(heard)
+        self._link.do("subscribe", number, name, float(at_most_every))
+        return Subscription(self, number)
+
+    # Time
+
+    def after(self, seconds: float, method: Callable[..., object], *arguments: Any) -> Subscription:
+        """Calls a method once."""
+
+        def heard(words: Any, arrays: memoryview) -> None:
+            del self._link.heard[number]
+            self._run(method, *arguments)
+
+        number = self._link.listen(heard)
+        self._link.do("after", number, float(seconds))
+        return Subscription(self, number)
+
+    def every(self, seconds: float, method: Callable[..., object], *arguments: Any) -> Subscription:
+        """Calls a method again and again, first after that time."""
+        number = self._link.listen(lambda words, arrays: self._run(method, *arguments))
+        self._link.do("every", number, float(seconds))
+        return Subscription(self, number)
+
+    def sleep(self, seconds: float) -> Pending[None]:
+        """``await self.sleep(2)`` waits in the time of the run."""
+        pending: Pending[None] = Pending()
+        self.after(seconds, pending._end, None)
+        return pending
+
+    def spawn(self, coroutine: Coroutine[Any, Any, Any]) -> None:
+        """Begins a coroutine beside what is running."""
+        task = Task(coroutine, self._tasks.remove)
+        self._tasks.append(task)
+        task.go_on()
+
+    def _run(self, method: Callable[..., object], *arguments: Any) -> None:
+        result = method(*arguments)
+        if inspect.iscoroutine(result):
+            self.spawn(result)
+
+    # Others
+
+    def agents(self, role: str = "", offering: str = "") -> list[Entry]:
+        """Running agents, in the order in which they started: of a role, or those that offer a service."""
+        words, _ = self._link.ask("agents")
+        found = [
+            Entry(each["name"], each["role"], each["type"], each["robot"], each["robotRole"], each["services"])
+            for each in words
+        ]
+        return [each for each in found if role in ("", each.role) and (not offering or offering in each.services)]
+
+    def on_departure(self, listener: Callable[[str, str], object]) -> Subscription:
+        """Calls a method with the name of each agent that goes, and why.
+
+        The reason is empty when it ended as it should.
+        """
+        number = self._link.listen(lambda words, arrays: self._run(listener, words["name"], words["reason"]))
+        self._link.do("departures", number)
+        return Subscription(self, number)
+
+    def offer(self, service: str, **details: object) -> Subscription:
+        """Shows in the directory what it can do for others, until that is cancelled."""
+        number = self._link.listen(lambda words, arrays: None)
+        self._link.do("offer", number, service, {name: str(value) for name, value in details.items()})
+        return Subscription(self, number)
+
+    # Conversations
+
+    def ask(self, to: str, service: str, question: dict[str, Any], silence: float = 5.0) -> Pending[talk.Result]:
+        """Asks an agent (FIPA Request): ``result = await self.ask("amy", "weight", {"thing": "box"})``.
+
+        :param silence: after how long without a sign the other counts as silent [s]
+        """
+        return talk.ask(self, to, service, question, silence)
+
+    def answer(self, service: str, method: Callable[[talk.Question], object]) -> None:
+        """Answers those who ask: what the method returns is the answer, a dict. It may be ``async``, and refuse."""
+        talk.answer(self, service, method)
+
+    def call(
+        self,
+        service: str,
+        task: dict[str, Any],
+        to: Sequence[str],
+        *,
+        least: str = "",
+        most: str = "",
+        count: int = 1,
+        within: float = 2.0,
+    ) -> Pending[list[talk.Award]]:
+        """Calls for proposals (FIPA Contract Net), and waits until those whose bids were accepted have ended.
+
+        :param to: names of those called
+        :param least: name of the number in the bids of which less is better, as ``cost``
+        :param most: name of the number of which more is better; give one of both
+        :param count: how many bids are accepted at most
+        :param within: after this the round is over [s]
+        """
+        if bool(least) == bool(most):
+            raise ValueError("A call for proposals needs 'least' or 'most': the number of the bids to choose by.")
+        return talk.call(self, service, task, to, least or most, bool(least), count, within)
+
+    def bid(
+        self,
+        service: str,
+        propose: Callable[[talk.Call], dict[str, Any] | None],
+        perform: Callable[[talk.Question], object],
+    ) -> None:
+        """Answers calls for proposals.
+
+        :param propose: returns the bid, a dict; ``None`` refuses
+        :param perform: does what was accepted, and returns the result, a dict; it may be ``async``
+        """
+        talk.bid(self, service, propose, perform)
+
+    # For people
+
+    def state(self, words: str) -> None:
+        """Says in a few words what it is doing (``hunting prey-1``)."""
+        self._link.do("state", str(words))
+
+    def show(self, name: str, value: object) -> None:
+        """Shows a value; replaces what it showed under this name."""
+        self._link.do("show", name, str(value))
+
+    def metric(self, name: str, value: float) -> None:
+        """Publishes a value for the results of the run, where a metric names it as ``metric(name)``."""
+        self._link.do("metric", name, float(value))
+
+
+__all__ = ["Agent", "Blackboard", "Entry", "Message", "Mind", "Note", "Topic", "v"]

@@ -1,0 +1,617 @@
+"""Devices of robots. Each is asked by four verbs: *latest*, *subscribe*, *command* and *goal*.
+
+Units are SI, angles in radians, frames as REP 105 has them. A goal is a :class:`Goal`: ``await`` it, or give it a
+listener.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
+
+from rsal.agents import values as v
+from rsal.agents.convert import decoder, encode
+from rsal.agents.waiting import Pending
+
+if TYPE_CHECKING:
+    from rsal.agents.agent import Agent
+
+T = TypeVar("T")
+F = TypeVar("F")
+R = TypeVar("R")
+D = TypeVar("D", bound="Device")
+
+
+@dataclass(frozen=True)
+class Stamped(Generic[T]):
+    """A reading.
+
+    :param time: when it was taken, in the time of the run [s]
+    :param frame: in which its places are (``map``, ``hunter-1/odom``)
+    """
+
+    time: float
+    frame: str
+    value: T
+
+
+class Subscription:
+    """An interest in something, until it is cancelled. It ends with its agent."""
+
+    def __init__(self, agent: Agent, number: int) -> None:
+        self._agent = agent
+        self._number = number
+
+    def cancel(self) -> None:
+        """No callback comes after this. Cancelling twice does nothing."""
+        self._agent._link.cancel(self._number)
+
+
+class Goal(Pending[R], Generic[F, R]):
+    """A goal under way: ``result = await goal``. A failure is a result, no exception."""
+
+    def __init__(self, agent: Agent, feedback: Any) -> None:
+        super().__init__()
+        self._agent = agent
+        self._feedback = feedback
+        self._number = 0
+
+    def cancel(self) -> None:
+        """Asks for an early end. After the end it does nothing."""
+        if not self.done:
+            self._agent._link.do("cancelGoal", self._number)
+
+    def on_feedback(self, listener: Callable[[Stamped[F]], object]) -> None:
+        """Calls a method with each report of progress."""
+        decode = decoder(self._feedback)
+        run = self._agent._run
+
+        def heard(words: Any, arrays: memoryview) -> None:
+            run(listener, Stamped(words["time"], words["frame"], decode(words["value"], arrays)))
+
+        self._agent._link.do("feedback", self._number, self._agent._link.listen(heard))
+
+
+class Device:
+    """Something of a robot that can be asked or commanded."""
+
+    contract: ClassVar[str] = "Device"
+
+    def __init__(self, agent: Agent, index: int, name: str) -> None:
+        self._agent = agent
+        self._index = index
+        self.name = name
+
+    def _do(self, method: str, *arguments: Any) -> None:
+        self._agent._link.do("call", 0, self._index, method, [encode(each) for each in arguments])
+
+    def _ask(self, kind: Any, method: str, *arguments: Any) -> Any:
+        words, arrays = self._agent._link.ask("call", self._index, method, [encode(each) for each in arguments])
+        return decoder(kind)(words, arrays)
+
+    def _later(self, pending: Any, kind: Any, method: str, *arguments: Any) -> Any:
+        link = self._agent._link
+        decode = decoder(kind)
+
+        def heard(words: Any, arrays: memoryview) -> None:
+            del link.heard[number]
+            pending._end(decode(words, arrays))
+
+        number = link.listen(heard)
+        pending._number = number
+        link.do("call", number, self._index, method, [encode(each) for each in arguments])
+        return pending
+
+    def _goal(self, feedback: Any, result: Any, method: str, *arguments: Any) -> Any:
+        return self._later(Goal(self._agent, feedback), result, method, *arguments)
+
+    @property
+    def health(self) -> v.HealthOk | v.HealthStale | v.HealthLost:
+        """How it is now."""
+        found: v.HealthOk | v.HealthStale | v.HealthLost = self._ask(
+            v.HealthOk | v.HealthStale | v.HealthLost, "health"
+        )
+        return found
+
+
+class Sensor(Device, Generic[T]):
+    """A device with readings."""
+
+    reading: ClassVar[Any] = None
+
+    @property
+    def latest(self) -> Stamped[T] | None:
+        """The newest reading; ``None`` before the first."""
+        words, arrays = self._agent._link.ask("latest", self._index)
+        if words is None:
+            return None
+        return Stamped(words["time"], words["frame"], decoder(self.reading)(words["value"], arrays))
+
+    def subscribe(self, listener: Callable[[Stamped[T]], object]) -> Subscription:
+        """Calls a method with each new reading. In real time, a slow agent gets the newest one."""
+        decode = decoder(self.reading)
+        run = self._agent._run
+
+        def heard(words: Any, arrays: memoryview) -> None:
+            run(listener, Stamped(words["time"], words["frame"], decode(words["value"], arrays)))
+
+        number = self._agent._link.listen(heard)
+        self._agent._link.do("read", number, self._index)
+        return Subscription(self._agent, number)
+
+
+class DriveBase(Sensor[v.Odometry]):
+    """Motors and wheels. Frame of its readings: ``<robot>/odom``."""
+
+    contract = "DriveBase"
+    reading = v.Odometry
+
+    def command(self, forward: float = 0.0, turn: float = 0.0, left: float = 0.0) -> None:
+        """Moves at this velocity until the next command.
+
+        :param forward: ahead [m/s]
+        :param turn: counter-clockwise [rad/s]
+        :param left: to the left [m/s]
+
+        Without a new command the base stops by itself after 0.5 s.
+        """
+        self._do("command", v.Twist2d(float(forward), float(left), float(turn)))
+
+    def stop(self) -> None:
+        self.command()
+
+    def enable(self, enabled: bool) -> None:
+        """Switches the motors of wheels, grippers and actuators."""
+        self._do("enable", enabled)
+
+    @property
+    def enabled(self) -> bool:
+        return bool(self._ask(bool, "enabled"))
+
+    def reset_odometry(self, odom_from_base: v.Pose2d) -> None:
+        """Sets the pose in the odometry. The robot does not move."""
+        self._do("resetOdometry", odom_from_base)
+
+
+class LaserScanner(Sensor[v.LaserScan]):
+    """A planar laser scanner."""
+
+    contract = "LaserScanner"
+    reading = v.LaserScan
+
+
+class SonarArray(Sensor[v.RangeArray]):
+    """Single-range sensors around a robot."""
+
+    contract = "SonarArray"
+    reading = v.RangeArray
+
+
+class Localizer(Sensor[v.PoseEstimate]):
+    """Finds the robot on a map. Frame of its readings: ``map``."""
+
+    contract = "Localizer"
+    reading = v.PoseEstimate
+
+    def relocalize(self, belief: v.PoseEstimate) -> Pending[None]:
+        """Starts again from an estimate; ends when the next reading follows it."""
+        found: Pending[None] = self._later(Pending(), None, "relocalize", belief)
+        return found
+
+    @property
+    def given_map(self) -> v.OccupancyGrid | None:
+        found: v.OccupancyGrid | None = self._ask(v.OccupancyGrid | None, "givenMap")
+        return found
+
+    @property
+    def particles(self) -> v.ParticleCloud | None:
+        words, arrays = self._agent._link.ask("call", self._index, "particles", [])
+        return None if words is None else decoder(v.ParticleCloud)(words["value"], arrays)
+
+
+class Navigator(Device):
+    """Drives the robot to goals on the map."""
+
+    contract = "Navigator"
+
+    Reached = v.NavigatorReached
+    Cancelled = v.NavigatorCancelled
+    NoPath = v.NavigatorNoPath
+    Stuck = v.NavigatorStuck
+    Result = v.NavigatorReached | v.NavigatorCancelled | v.NavigatorNoPath | v.NavigatorStuck
+
+    def go_to(
+        self, map_from_goal: v.Pose2d, distance: float = 0.4, angle: float = 0.17453292519943295
+    ) -> Goal[v.NavigatorProgress, v.NavigatorReached | v.NavigatorCancelled | v.NavigatorNoPath | v.NavigatorStuck]:
+        """Drives to a goal. A new goal cancels the one under way.
+
+        :param distance: how far it may end from the goal [m]
+        :param angle: how far the heading may be off [rad]; π or more when it does not matter
+        """
+        goal: Goal[
+            v.NavigatorProgress, v.NavigatorReached | v.NavigatorCancelled | v.NavigatorNoPath | v.NavigatorStuck
+        ] = self._goal(v.NavigatorProgress, self.Result, "goTo", map_from_goal, v.Tolerance(distance, angle))
+        return goal
+
+    def pause(self) -> None:
+        """Stands still and keeps the goal."""
+        self._do("pause")
+
+    def resume(self) -> None:
+        self._do("resume")
+
+    @property
+    def paused(self) -> bool:
+        return bool(self._ask(bool, "paused"))
+
+    @property
+    def goal(self) -> v.Pose2d | None:
+        """The present goal."""
+        found: v.Pose2d | None = self._ask(v.Pose2d | None, "goal")
+        return found
+
+    @property
+    def path(self) -> v.Path2d:
+        """The planned path from here; empty without a goal."""
+        found: v.Path2d = self._ask(v.Path2d, "path")
+        return found
+
+    @property
+    def local_path(self) -> v.Path2d:
+        found: v.Path2d = self._ask(v.Path2d, "localPath")
+        return found
+
+    @property
+    def cost_map(self) -> v.OccupancyGrid | None:
+        found: v.OccupancyGrid | None = self._ask(v.OccupancyGrid | None, "costMap")
+        return found
+
+
+class Planner(Device):
+    """Plans paths. A request moves no robot."""
+
+    contract = "Planner"
+
+    Found = v.PlannerFound
+    NoPath = v.PlannerNoPath
+
+    def plan(self, map_from_start: v.Pose2d, map_from_goal: v.Pose2d) -> Pending[v.PlannerFound | v.PlannerNoPath]:
+        found: Pending[v.PlannerFound | v.PlannerNoPath] = self._later(
+            Pending(), v.PlannerFound | v.PlannerNoPath, "plan", map_from_start, map_from_goal
+        )
+        return found
+
+    def costs(
+        self, map_from_start: v.Pose2d, map_from_goals: list[v.Pose2d], near: float = float("inf")
+    ) -> Pending[list[float]]:
+        """Costs of the paths to several places, in their order [m]; ``inf`` where there is none."""
+        found: Pending[list[float]] = self._later(Pending(), list[float], "costs", map_from_start, map_from_goals, near)
+        return found
+
+
+class PlaceFinder(Device):
+    """Finds places for a team on the map."""
+
+    contract = "PlaceFinder"
+
+    Found = v.PlaceFinderFound
+    NoPlace = v.PlaceFinderNone
+
+    def find(
+        self,
+        map_from_start: v.Pose2d,
+        count: int,
+        clearance: float,
+        objective: v.PlaceObjective = v.PlaceObjective.EVENLY,
+    ) -> Pending[v.PlaceFinderFound | v.PlaceFinderNone]:
+        found: Pending[v.PlaceFinderFound | v.PlaceFinderNone] = self._later(
+            Pending(),
+            v.PlaceFinderFound | v.PlaceFinderNone,
+            "find",
+            map_from_start,
+            count,
+            float(clearance),
+            objective,
+        )
+        return found
+
+
+class Docking(Device):
+    """Drives the robot onto docks, such as charging stations, and off them."""
+
+    contract = "Docking"
+
+    Reached = v.DockingReached
+    Cancelled = v.DockingCancelled
+    Failed = v.DockingFailed
+    Result = v.DockingReached | v.DockingCancelled | v.DockingFailed
+
+    def dock(
+        self, dock: str | v.Pose2d, kind: str = ""
+    ) -> Goal[v.DockingProgress, v.DockingReached | v.DockingCancelled | v.DockingFailed]:
+        """Drives onto a dock: by its name, or by its pose and type."""
+        arguments = (dock,) if isinstance(dock, str) else (dock, kind)
+        goal: Goal[v.DockingProgress, v.DockingReached | v.DockingCancelled | v.DockingFailed] = self._goal(
+            v.DockingProgress, self.Result, "dock", *arguments
+        )
+        return goal
+
+    def undock(self) -> Goal[v.DockingProgress, v.DockingReached | v.DockingCancelled | v.DockingFailed]:
+        goal: Goal[v.DockingProgress, v.DockingReached | v.DockingCancelled | v.DockingFailed] = self._goal(
+            v.DockingProgress, self.Result, "undock"
+        )
+        return goal
+
+
+class Gripper(Sensor[v.GripperState]):
+    """Two paddles that close around things, and possibly a lift."""
+
+    contract = "Gripper"
+    reading = v.GripperState
+
+    Reached = v.GripperReached
+    Cancelled = v.GripperCancelled
+    Stuck = v.GripperStuck
+    Result = v.GripperReached | v.GripperCancelled | v.GripperStuck
+
+    def _move(self, method: str) -> Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck]:
+        goal: Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck] = self._goal(
+            v.GripperState, self.Result, method
+        )
+        return goal
+
+    def open(self) -> Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck]:
+        return self._move("open")
+
+    def close(self) -> Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck]:
+        return self._move("close")
+
+    def lift(self) -> Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck]:
+        return self._move("lift")
+
+    def lower(self) -> Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck]:
+        return self._move("lower")
+
+    def close_and_lift(self) -> Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck]:
+        return self._move("closeAndLift")
+
+    def lower_and_open(self) -> Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck]:
+        return self._move("lowerAndOpen")
+
+
+class Actuator(Sensor[v.ActuatorState]):
+    """A joint that is moved by a motor."""
+
+    contract = "Actuator"
+    reading = v.ActuatorState
+
+    Reached = v.ActuatorReached
+    Cancelled = v.ActuatorCancelled
+    Stuck = v.ActuatorStuck
+    Result = v.ActuatorReached | v.ActuatorCancelled | v.ActuatorStuck
+
+    def go_to(
+        self, position: float
+    ) -> Goal[v.ActuatorState, v.ActuatorReached | v.ActuatorCancelled | v.ActuatorStuck]:
+        """Moves to a position [m or rad] and holds it."""
+        goal: Goal[v.ActuatorState, v.ActuatorReached | v.ActuatorCancelled | v.ActuatorStuck] = self._goal(
+            v.ActuatorState, self.Result, "goTo", float(position)
+        )
+        return goal
+
+    def home(self) -> Goal[v.ActuatorState, v.ActuatorReached | v.ActuatorCancelled | v.ActuatorStuck]:
+        goal: Goal[v.ActuatorState, v.ActuatorReached | v.ActuatorCancelled | v.ActuatorStuck] = self._goal(
+            v.ActuatorState, self.Result, "home"
+        )
+        return goal
+
+    def command(self, speed: float) -> None:
+        """Moves at a speed [m/s or rad/s], at most for 0.5 s without a new command."""
+        self._do("command", float(speed))
+
+
+class Light(Sensor[v.LightState]):
+    """A light that others can see."""
+
+    contract = "Light"
+    reading = v.LightState
+
+    def show(self, signal: v.Signal) -> None:
+        """Shines with this signal until the next one."""
+        self._do("show", signal)
+
+    def on(self) -> None:
+        self._do("on")
+
+    def off(self) -> None:
+        self._do("off")
+
+
+class Mapper(Sensor[v.OccupancyGrid]):
+    """Draws a map while its robot drives."""
+
+    contract = "Mapper"
+    reading = v.OccupancyGrid
+
+    @property
+    def complete(self) -> bool:
+        return bool(self._ask(bool, "isComplete"))
+
+    @property
+    def ends(self) -> list[v.End]:
+        """The frontiers of the map that its robot can reach."""
+        found: list[v.End] = self._ask(list[v.End], "ends")
+        return found
+
+    def leave_alone(self, end: v.End) -> None:
+        self._do("leaveAlone", end)
+
+    def pause(self) -> None:
+        self._do("pause")
+
+    def resume(self) -> None:
+        self._do("resume")
+
+    @property
+    def paused(self) -> bool:
+        return bool(self._ask(bool, "paused"))
+
+
+class BlobFinder(Sensor[v.Blobs]):
+    """A camera that detects patches of color."""
+
+    contract = "BlobFinder"
+    reading = v.Blobs
+
+
+class FiducialFinder(Sensor[v.Fiducials]):
+    """Detects markers."""
+
+    contract = "FiducialFinder"
+    reading = v.Fiducials
+
+
+class Bumper(Sensor[v.BumperState]):
+    """Detects contacts of the robot."""
+
+    contract = "Bumper"
+    reading = v.BumperState
+
+
+class Battery(Sensor[v.BatteryState]):
+    """A robot's store of energy."""
+
+    contract = "Battery"
+    reading = v.BatteryState
+
+
+class Camera(Sensor[v.CameraImage]):
+    """A camera that sees colors and depth."""
+
+    contract = "Camera"
+    reading = v.CameraImage
+
+
+class Gnss(Sensor[v.GnssFix]):
+    """A receiver of satellite navigation."""
+
+    contract = "Gnss"
+    reading = v.GnssFix
+
+
+class Imu(Sensor[v.ImuReading]):
+    """An inertial measurement unit."""
+
+    contract = "Imu"
+    reading = v.ImuReading
+
+
+class Simulation(Device):
+    """The truth of a simulated world. It is for metrics and for preparing worlds, not for navigation."""
+
+    contract = "SimulationControl"
+
+    Placed = v.Placed
+    Refused = v.Refused
+
+    @property
+    def entities(self) -> list[str]:
+        """Names of the things that can be read and placed, robots among them."""
+        found: list[str] = self._ask(list[str], "entities")
+        return found
+
+    def truth(self, entity: str) -> v.Pose2d | None:
+        """The true pose of a thing, in the map frame; ``None`` if there is none of that name."""
+        found: v.Pose2d | None = self._ask(v.Pose2d | None, "truth", entity)
+        return found
+
+    def place(self, entity: str, map_from_entity: v.Pose2d) -> v.Placed | v.Refused:
+        """Moves a thing to a pose, at which it stands still."""
+        found: v.Placed | v.Refused = self._ask(v.Placed | v.Refused, "place", entity, map_from_entity)
+        return found
+
+    @property
+    def contacts(self) -> list[v.Contact]:
+        """Collisions so far."""
+        found: list[v.Contact] = self._ask(list[v.Contact], "contacts")
+        return found
+
+
+CONTRACTS: dict[str, type[Device]] = {
+    kind.contract: kind
+    for kind in (
+        DriveBase, LaserScanner, SonarArray, Localizer, Navigator, Planner, PlaceFinder, Docking, Gripper, Actuator,
+        Light, Mapper, BlobFinder, FiducialFinder, Bumper, Battery, Camera, Gnss, Imu,
+    )
+}  # fmt: skip
+
+
+class Robot:
+    """The robot of an agent: its devices, by name, by type, or by what they are called here."""
+
+    def __init__(self, agent: Agent, words: dict[str, Any]) -> None:
+        self.id: str = words["id"]
+        self.role: str = words["role"]
+        self.model: str = words["model"]
+        self.devices: list[Device] = [
+            CONTRACTS.get(each["contract"], Device)(agent, each["index"], each["name"]) for each in words["devices"]
+        ]
+
+    def find(self, kind: type[D], name: str = "") -> D | None:
+        """The first device of a type, or the one of a name; ``None`` when there is none."""
+        for device in self.devices:
+            if isinstance(device, kind) and name in ("", device.name):
+                return device
+        return None
+
+    def require(self, kind: type[D], name: str = "") -> D:
+        """As :meth:`find`.
+
+        :raises LookupError: when the robot has none
+        """
+        device = self.find(kind, name)
+        if device is None:
+            wanted = f"{kind.contract} '{name}'" if name else kind.contract
+            raise LookupError(f"Robot '{self.id}' has no {wanted}; it has {[each.name for each in self.devices]}.")
+        return device
+
+    @property
+    def base(self) -> DriveBase:
+        return self.require(DriveBase)
+
+    @property
+    def laser(self) -> LaserScanner:
+        return self.require(LaserScanner)
+
+    @property
+    def sonar(self) -> SonarArray:
+        return self.require(SonarArray)
+
+    @property
+    def localizer(self) -> Localizer:
+        return self.require(Localizer)
+
+    @property
+    def navigator(self) -> Navigator:
+        return self.require(Navigator)
+
+    @property
+    def planner(self) -> Planner:
+        return self.require(Planner)
+
+    @property
+    def gripper(self) -> Gripper:
+        return self.require(Gripper)
+
+    @property
+    def light(self) -> Light:
+        return self.require(Light)
+
+    @property
+    def camera(self) -> Camera:
+        return self.require(Camera)
+
+    @property
+    def battery(self) -> Battery:
+        return self.require(Battery)

@@ -1,0 +1,234 @@
+"""Reads what the file of an agent says of it, without running it."""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import sys
+from typing import Any
+
+from rsal.protocol import Frames
+
+KINDS = {"float": "NUMBER", "int": "INTEGER", "str": "TEXT", "bool": "FLAG"}
+KEYWORDS = ["min", "max", "unit", "choices", "robots", "description"]
+
+
+class _InvalidFileError(Exception):
+    def __init__(self, node: ast.AST, message: str, remedy: str = "") -> None:
+        super().__init__(message)
+        self.words = problem(getattr(node, "lineno", 1), getattr(node, "col_offset", 0) + 1, message, remedy)
+
+
+def problem(line: int, column: int, message: str, remedy: str = "") -> dict[str, Any]:
+    return {"line": line, "column": column, "message": message, "remedy": remedy}
+
+
+def inspect(text: str, name: str, wanted: str) -> dict[str, Any]:
+    """What there is to know of an agent: ``class``, ``description``, ``parameters`` and ``needs``; or ``problems``.
+
+    :param name: of the file
+    :param wanted: name of the class; empty when there is one only
+    """
+    try:
+        tree = ast.parse(text, name)
+    except SyntaxError as mistake:
+        return {"problems": [problem(mistake.lineno or 1, mistake.offset or 1, f"This is not Python: {mistake.msg}.")]}
+    except ValueError as mistake:  # a null byte
+        return {"problems": [problem(1, 1, f"This is not Python: {mistake}.")]}
+    problems: list[dict[str, Any]] = []
+    try:
+        agent = _agent(tree, wanted)
+    except _InvalidFileError as mistake:
+        return {"problems": [mistake.words]}
+    parameters: dict[str, Any] = {}
+    needs: list[Any] = []
+    for each in _line_of(agent, _classes(tree)):
+        for statement in each.body:
+            try:
+                _read(statement, parameters, needs)
+            except _InvalidFileError as mistake:
+                problems.append(mistake.words)
+    if problems:
+        return {"problems": problems}
+    doc = ast.get_docstring(agent) or ast.get_docstring(tree) or ""
+    return {
+        "class": agent.name,
+        "description": doc.split("\n\n")[0].replace("\n", " "),
+        "parameters": list(parameters.values()),
+        "needs": needs,
+        "problems": [],
+    }
+
+
+def _classes(tree: ast.Module) -> dict[str, ast.ClassDef]:
+    return {each.name: each for each in tree.body if isinstance(each, ast.ClassDef)}
+
+
+def _bases(each: ast.ClassDef) -> list[str]:
+    return [base.attr if isinstance(base, ast.Attribute) else getattr(base, "id", "") for base in each.bases]
+
+
+def _line_of(agent: ast.ClassDef, classes: dict[str, ast.ClassDef]) -> list[ast.ClassDef]:
+    """The classes of the file that it inherits from, the farthest first, and itself."""
+    line: list[ast.ClassDef] = []
+
+    def add(each: ast.ClassDef) -> None:
+        if each not in line:
+            for base in reversed(_bases(each)):
+                if base in classes and classes[base] is not each:
+                    add(classes[base])
+            if each not in line:
+                line.append(each)
+
+    add(agent)
+    return line
+
+
+def _agent(tree: ast.Module, wanted: str) -> ast.ClassDef:
+    classes = _classes(tree)
+    agents = {
+        name: each for name, each in classes.items() if any("Agent" in _bases(one) for one in _line_of(each, classes))
+    }
+    if wanted:
+        if wanted in agents:
+            return agents[wanted]
+        raise _InvalidFileError(
+            classes.get(wanted, tree.body[0] if tree.body else tree),
+            f"There is no class '{wanted}' that inherits from 'rsal.Agent' in this file.",
+            _known(wanted, list(agents)),
+        )
+    inherited = {base for each in agents.values() for base in _bases(each)}
+    leaves = [each for name, each in agents.items() if name not in inherited]
+    if not leaves:
+        raise _InvalidFileError(
+            tree,
+            "This file has no class that inherits from 'rsal.Agent'.",
+            "Write 'import rsal' and 'class Hunter(rsal.Agent):'.",
+        )
+    if len(leaves) > 1:
+        raise _InvalidFileError(
+            leaves[1],
+            f"This file has several agents: {', '.join(each.name for each in leaves)}.",
+            f"Name one of them in the scenario, as 'type: FILE.py:{leaves[0].name}'.",
+        )
+    return leaves[0]
+
+
+def _known(word: str, names: list[str]) -> str:
+    close = difflib.get_close_matches(word, names, 1)
+    return f"Maybe '{close[0]}'?" if close else f"Known are: {', '.join(names)}." if names else ""
+
+
+def _read(statement: ast.stmt, parameters: dict[str, Any], needs: list[Any]) -> None:
+    if isinstance(statement, (ast.Assign, ast.AnnAssign)):
+        targets = statement.targets if isinstance(statement, ast.Assign) else [statement.target]
+        target = targets[0]
+        if not isinstance(target, ast.Name):
+            return
+        if target.id == "needs" and statement.value is not None:
+            needs[:] = [_device(each) for each in _items(statement.value)]
+        elif isinstance(statement.value, ast.Call) and _name(statement.value.func) == "Param":
+            if isinstance(statement, ast.Assign):
+                raise _InvalidFileError(
+                    statement,
+                    f"Parameter '{target.id}' has no type.",
+                    f"Write '{target.id}: float = Param(…)', or int, str or bool.",
+                )
+            parameters[target.id] = _parameter(target.id, statement, statement.value)
+
+
+def _name(node: ast.AST) -> str:
+    return node.attr if isinstance(node, ast.Attribute) else getattr(node, "id", "")
+
+
+def _items(node: ast.expr) -> list[ast.expr]:
+    if not isinstance(node, (ast.List, ast.Tuple)):
+        raise _InvalidFileError(node, "'needs' is a list of devices.", "Write 'needs = [LaserScanner, Navigator]'.")
+    return node.elts
+
+
+def _device(node: ast.expr) -> list[Any]:
+    if not _name(node):
+        raise _InvalidFileError(
+            node, "'needs' has names of devices only.", "Write 'needs = [LaserScanner, Navigator]'."
+        )
+    return [_name(node), node.lineno, node.col_offset + 1]
+
+
+def _literal(node: ast.expr, what: str) -> Any:
+    try:
+        return ast.literal_eval(node)
+    except (ValueError, TypeError, SyntaxError):
+        raise _InvalidFileError(
+            node,
+            f"{what} is not a literal: '{ast.unparse(node)}'.",
+            "RSAL reads it without running the file: write the number or the text itself.",
+        ) from None
+
+
+def _parameter(name: str, statement: ast.AnnAssign, call: ast.Call) -> dict[str, Any]:
+    kind = KINDS.get(ast.unparse(statement.annotation).strip("'\""))
+    if kind is None:
+        raise _InvalidFileError(
+            statement.annotation,
+            f"A parameter cannot have the type '{ast.unparse(statement.annotation)}'.",
+            "Types are float, int, str and bool.",
+        )
+    found: dict[str, Any] = {"name": name, "kind": kind, "line": statement.lineno, "column": statement.col_offset + 1}
+    if len(call.args) > 1:
+        raise _InvalidFileError(
+            call.args[1], "'Param' has one default; all else has a name.", "Write 'min=0, unit=\"m\"'."
+        )
+    if call.args:
+        found["default"] = _literal(call.args[0], f"The default of '{name}'")
+    for keyword in call.keywords:
+        if keyword.arg == "default":
+            found["default"] = _literal(keyword.value, f"The default of '{name}'")
+        elif keyword.arg in KEYWORDS:
+            found[keyword.arg] = _literal(keyword.value, f"'{keyword.arg}' of '{name}'")
+        else:
+            raise _InvalidFileError(
+                keyword.value, f"'Param' has no '{keyword.arg}'.", _known(str(keyword.arg), ["default", *KEYWORDS])
+            )
+    _check(found, call)
+    return found
+
+
+def _check(found: dict[str, Any], call: ast.Call) -> None:
+    name, kind = found["name"], found["kind"]
+    number = kind in ("NUMBER", "INTEGER")
+    for bound in ("min", "max"):
+        if bound in found and (not number or not isinstance(found[bound], (int, float))):
+            raise _InvalidFileError(call, f"'{bound}' of '{name}' must be a number, of a parameter that is one.")
+    for text in ("unit", "description"):
+        if not isinstance(found.get(text, ""), str):
+            raise _InvalidFileError(call, f"'{text}' of '{name}' must be a text.")
+    choices = found.get("choices", [])
+    if not isinstance(choices, (list, tuple)) or not all(isinstance(each, str) for each in choices):
+        raise _InvalidFileError(call, f"'choices' of '{name}' must be a list of texts.")
+    found["choices"] = list(choices)
+    if (found.get("robots") or found["choices"]) and kind != "TEXT":
+        raise _InvalidFileError(call, f"'{name}' names robots or has choices, so its type must be 'str'.")
+    if "default" in found:
+        default = found["default"]
+        kinds: dict[str, tuple[type, ...]] = {
+            "NUMBER": (int, float),
+            "INTEGER": (int,),
+            "TEXT": (str,),
+            "FLAG": (bool,),
+        }
+        fits = isinstance(default, kinds[kind]) and (kind == "FLAG") == isinstance(default, bool)
+        if fits and number:
+            fits = found.get("min", default) <= default <= found.get("max", default)
+        if fits and found["choices"]:
+            fits = default in found["choices"]
+        if not fits:
+            raise _InvalidFileError(call, f"The default of '{name}' does not fit: '{default}'.")
+
+
+def main() -> None:
+    """Answers each frame with what the file in it says of its agent."""
+    frames = Frames(sys.stdin.buffer, sys.stdout.buffer)
+    while (question := frames.read()) is not None:
+        words, _ = question
+        frames.write(inspect(words["text"], words["path"], words["class"]))

@@ -1,0 +1,71 @@
+"""How an agent in Python reaches RSAL: what it asks for is done in its own turn, in order."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable
+from typing import Any
+
+from rsal.protocol import Frames
+
+HOME = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+"""The folder of this package: frames of a stack in it are none of an agent's."""
+
+Heard = Callable[[Any, memoryview], None]
+"""Takes the words and arrays of something that an agent waits for."""
+
+
+class RsalError(Exception):
+    """RSAL cannot do what the agent asked for. The message says why."""
+
+
+class Link:
+    """One agent's. What needs no answer is kept until the end of the turn, or until something is asked."""
+
+    def __init__(self, frames: Frames, number: int) -> None:
+        self._frames = frames
+        self._number = number
+        self._last = 0
+        self.heard: dict[int, Heard] = {}
+        self.asked: list[Any] = []
+        self.time = 0.0
+        self.ended = False
+
+    def listen(self, heard: Heard) -> int:
+        """A new number, under which something is heard."""
+        self._last += 1
+        self.heard[self._last] = heard
+        return self._last
+
+    def do(self, verb: str, *arguments: Any) -> None:
+        self.asked.append([verb, place(), *arguments])
+
+    def ask(self, verb: str, *arguments: Any) -> tuple[Any, memoryview]:
+        """Does what was kept, and asks.
+
+        :raises RsalError: when RSAL cannot answer
+        """
+        kept, self.asked = self.asked, []
+        self._frames.write({"do": kept, "ask": [verb, place(), *arguments]})
+        answer = self._frames.read()
+        if answer is None:
+            os._exit(0)  # the run is over
+        words, arrays = answer
+        if "error" in words:
+            raise RsalError(words["error"])
+        return words["value"], arrays
+
+    def cancel(self, number: int) -> None:
+        if self.heard.pop(number, None) is not None:
+            self.do("cancel", number)
+
+
+def place() -> str:
+    """Where the agent's own code is: ``hunter.py:42 in on_scan``."""
+    frame = sys._getframe(2)
+    while frame is not None and frame.f_code.co_filename.startswith(HOME):
+        frame = frame.f_back  # type: ignore[assignment]
+    if frame is None:
+        return ""
+    return f"{frame.f_code.co_filename}:{frame.f_lineno} in {frame.f_code.co_name}"

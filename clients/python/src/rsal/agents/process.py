@@ -1,0 +1,32 @@
+"""Begins the process in which the agents of a run live."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from rsal.protocol import VERSION, Frames
+
+
+def main() -> None:
+    """Takes the pipes for frames: what else is read finds nothing, what else is written goes to stderr."""
+    source = os.fdopen(os.dup(0), "rb")
+    sink = os.fdopen(os.dup(1), "wb", buffering=0)
+    nothing = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(nothing, 0)
+    os.dup2(2, 1)
+    frames = Frames(source, sink)
+    try:
+        import numpy  # noqa: F401
+    except ImportError:
+        frames.write(
+            {
+                "protocol": VERSION,
+                "error": f"Agents in Python need the package 'numpy', which '{sys.executable}' does not have."
+                " Maybe 'pip install numpy', or name another Python by RSAL_PYTHON=/path/to/python3.",
+            }
+        )
+        return
+    from rsal.agents.worker import work
+
+    work(frames)

@@ -1,0 +1,252 @@
+"""The process in which the agents of a run live. RSAL starts it, sends events, and gets what agents ask for."""
+
+from __future__ import annotations
+
+import importlib.abc
+import importlib.machinery
+import importlib.util
+import io
+import linecache
+import os
+import platform
+import random
+import sys
+import threading
+import time
+import traceback
+from collections.abc import Sequence
+from types import ModuleType
+from typing import Any
+
+import rsal.agents.agent as contract
+from rsal.agents import devices
+from rsal.agents.link import HOME, Link
+from rsal.agents.param import Parameter
+from rsal.protocol import VERSION, Frames
+
+NOTICE = "\x01"
+"""Begins lines on stderr that are for RSAL and not for people."""
+
+LOOK = 1.0
+"""How often the watcher looks [s]."""
+
+
+def notice(words: str) -> None:
+    os.write(2, f"{NOTICE}{words}\n".encode())
+
+
+class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
+    """Modules of a scenario: files beside it, as RSAL has read them."""
+
+    def __init__(self) -> None:
+        self._texts: dict[str, tuple[str, str]] = {}  # path and text, by name of the module
+        self.paths: set[str] = set()
+
+    def add(self, texts: dict[str, str]) -> None:
+        """
+        :raises ImportError: when there is another module of that name
+        """
+        for path, text in texts.items():
+            name = self.module(path)
+            known = self._texts.setdefault(name, (path, text))
+            if known != (path, text):
+                raise ImportError(f"Files '{known[0]}' and '{path}' are both module '{name}'. Rename one of them.")
+            self.paths.add(path)
+            linecache.cache[path] = (len(text), None, text.splitlines(True), path)
+
+    @staticmethod
+    def module(path: str) -> str:
+        return path.rsplit("/", 1)[-1].removesuffix(".py")
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+    ) -> importlib.machinery.ModuleSpec | None:
+        if fullname not in self._texts:
+            return None
+        return importlib.util.spec_from_loader(fullname, self, origin=self._texts[fullname][0])
+
+    def get_source(self, fullname: str) -> str:
+        return self._texts[fullname][1]
+
+    def get_code(self, fullname: str) -> Any:
+        path, text = self._texts[fullname]
+        return compile(text, path, "exec", dont_inherit=True)
+
+
+class Output(io.TextIOBase):
+    """What ``print`` writes: each line is one of the agent whose turn it is."""
+
+    def __init__(self, worker: Worker) -> None:
+        self._worker = worker
+        self._begun = ""
+
+    def writable(self) -> bool:
+        return True
+
+    def write(self, text: str) -> int:
+        *lines, self._begun = (self._begun + text).split("\n")
+        for line in lines:
+            self._say(line)
+        return len(text)
+
+    def over(self) -> None:
+        """The turn is over: what has no end of line is one."""
+        if self._begun:
+            self._say(self._begun)
+            self._begun = ""
+
+    def _say(self, line: str) -> None:
+        link = self._worker.turn
+        if link is None:
+            sys.stderr.write(line + "\n")
+        else:
+            link.do("print", line)
+
+
+class Watcher(threading.Thread):
+    """Says where Python is when a turn takes long, and ends the process when RSAL has gone."""
+
+    def __init__(self, worker: Worker) -> None:
+        super().__init__(name="rsal-watcher", daemon=True)
+        self._worker = worker
+        self._main = threading.main_thread().ident
+        self._parent = os.getppid()
+
+    def run(self) -> None:
+        before = -1
+        debugged = False
+        while True:
+            time.sleep(LOOK)
+            if os.getppid() != self._parent:
+                os._exit(0)
+            if not debugged and ("debugpy" in sys.modules or "pydevd" in sys.modules):
+                debugged = True
+                notice("debug")
+            worker = self._worker
+            now = worker.turns
+            if worker.turn is not None and now == before:
+                frame = sys._current_frames().get(self._main or 0)
+                while frame is not None and frame.f_code.co_filename not in worker.files.paths:
+                    frame = frame.f_back
+                if frame is not None:
+                    notice(f"at {frame.f_code.co_filename}:{frame.f_lineno} in {frame.f_code.co_name}")
+            before = now
+
+
+def on_breakpoint(*arguments: Any, **options: Any) -> None:
+    """``breakpoint()``: pdb on the terminal from which RSAL was started. RSAL waits for it."""
+    import pdb
+
+    notice("debug")
+    try:
+        terminal_in = open("/dev/tty", encoding="utf-8")  # noqa: SIM115 - as long as the process
+        terminal_out = open("/dev/tty", "w", encoding="utf-8")  # noqa: SIM115
+    except OSError:
+        raise RuntimeError("breakpoint() needs a terminal, and RSAL was started without one.") from None
+    pdb.Pdb(stdin=terminal_in, stdout=terminal_out).set_trace(sys._getframe(1))
+
+
+class Worker:
+    """Takes one event after the other."""
+
+    def __init__(self, frames: Frames) -> None:
+        self._frames = frames
+        self._agents: dict[int, contract.Agent] = {}
+        self._output = Output(self)
+        self.files = Files()
+        self.turn: Link | None = None
+        self.turns = 0
+        sys.meta_path.insert(0, self.files)
+        sys.stdout = self._output
+        sys.breakpointhook = on_breakpoint
+
+    def work(self) -> None:
+        """Until RSAL ends the conversation."""
+        import numpy as np
+
+        self._frames.write(
+            {"protocol": VERSION, "python": platform.python_version(), "numpy": np.__version__, "order": sys.byteorder}
+        )
+        while (event := self._frames.read()) is not None:
+            words, arrays = event
+            if "end" in words:
+                self._end(words["agent"])
+            else:
+                self._frames.write(self._take(words, arrays))
+
+    def _end(self, number: int) -> None:
+        agent = self._agents.pop(number, None)
+        if agent is not None:
+            agent._link.ended = True
+            agent._link.asked = []
+            for task in list(agent._tasks):
+                try:
+                    task.close()
+                except BaseException:  # it has ended; nobody waits for what it says
+                    traceback.print_exc()
+
+    def _take(self, words: dict[str, Any], arrays: memoryview) -> dict[str, Any]:
+        number = words["agent"]
+        agent = self._agents.get(number)
+        link = Link(self._frames, number) if agent is None else agent._link
+        link.time = words["time"]
+        self.turns += 1
+        self.turn = link
+        answer: dict[str, Any] = {}
+        try:
+            if agent is None:
+                self._start(words, link)
+            elif "stop" in words:
+                agent._run(agent.on_stop)
+            else:
+                heard = link.heard.get(words["id"])
+                if heard is not None:
+                    heard(words["value"], arrays)
+        except (Exception, SystemExit) as mistake:
+            answer["failed"] = self._failure(mistake)
+        self._output.over()
+        self.turn = None
+        answer["do"], link.asked = link.asked, []
+        return answer
+
+    def _start(self, words: dict[str, Any], link: Link) -> None:
+        self.files.add(words["files"])
+        module = importlib.import_module(self.files.module(words["path"]))
+        kind = getattr(module, words["class"])
+        if not isinstance(kind, type) or not issubclass(kind, contract.Agent):
+            raise TypeError(f"'{words['class']}' does not inherit from 'rsal.Agent'.")
+        agent: contract.Agent = kind.__new__(kind)
+        agent._link = link
+        agent._tasks = []
+        agent._rng = None
+        agent._seed = words["seed"]
+        agent.random = random.Random(words["seed"])
+        agent.name = words["name"]
+        agent.role = words["role"]
+        agent._robot = devices.Robot(agent, words["robot"]) if words["robot"] is not None else None
+        agent._simulation = devices.Simulation(agent, -1, "simulation") if words["simulation"] else None
+        for name, value in words["arguments"].items():
+            if isinstance(getattr(kind, name, None), Parameter):
+                setattr(agent, name, value)
+        self._agents[words["agent"]] = agent
+        agent.__init__()  # type: ignore[misc] # after all that it may use is there
+        agent._run(agent.on_start)
+
+    def _failure(self, mistake: BaseException) -> dict[str, Any]:
+        stack = traceback.extract_tb(mistake.__traceback__)
+        own = [frame for frame in stack if frame.filename in self.files.paths]
+        others = [frame for frame in stack if not frame.filename.startswith((HOME, "<frozen"))]
+        where = next(reversed(own or others), None)
+        words = f"{type(mistake).__name__}: {mistake}" if str(mistake) else type(mistake).__name__
+        if isinstance(mistake, SyntaxError) and mistake.filename:
+            words = f"{mistake.filename}:{mistake.lineno}: SyntaxError: {mistake.msg}"
+        elif where is not None:
+            words = f"{where.filename}:{where.lineno} in {where.name}: {words}"
+        return {"message": words, "frames": [[each.filename, each.lineno or 0, each.name] for each in reversed(stack)]}
+
+
+def work(frames: Frames) -> None:
+    """Until RSAL ends the conversation."""
+    worker = Worker(frames)
+    Watcher(worker).start()
+    worker.work()
