@@ -95,7 +95,7 @@ class PatrolIT {
         Watch bids = watch(RunOptions.NONE
                 .withArguments(Map.of("strategy", "bids"))
                 .withSeed(seed)
-                .withLimit(Duration.ofSeconds(600)));
+                .withLimit(Duration.ofMinutes(10)));
         assertThat(balanced.metric("meanIdleness")).isLessThan(0.85 * bids.metric("meanIdleness"));
         assertThat(balanced.metric("worstIdleness")).isLessThan(bids.metric("worstIdleness"));
     }
