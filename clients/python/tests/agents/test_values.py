@@ -86,7 +86,7 @@ def test_one_of_several_records_is_told_by_its_type() -> None:
 
 
 def test_optional_lists_and_enumerations() -> None:
-    covariance = {name: 0 for name in ("xx", "xy", "xTheta", "yy", "yTheta", "thetaTheta")}
+    covariance = dict.fromkeys(("xx", "xy", "xTheta", "yy", "yTheta", "thetaTheta"), 0)
     pose = {"x": 1, "y": 2, "theta": 0}
     words = {
         "mapFromBase": pose,

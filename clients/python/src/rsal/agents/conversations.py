@@ -32,7 +32,7 @@ class Result:
         return self.how == "informed"
 
 
-class Refusal(Exception):  # noqa: N818 - it is no error
+class Refusal(Exception):
     """Raised by one who was asked: it does not want to, or cannot. The other gets the words."""
 
 

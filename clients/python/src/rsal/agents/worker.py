@@ -43,8 +43,7 @@ class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
         self.paths: set[str] = set()
 
     def add(self, texts: dict[str, str]) -> None:
-        """
-        :raises ImportError: when there is another module of that name
+        """:raises ImportError: when there is another module of that name
         """
         for path, text in texts.items():
             name = self.module(path)
