@@ -33,7 +33,7 @@ public final class Intrude extends AgentTypeBase {
                 self,
                 robot,
                 arguments.get(Escape.HUNTER),
-                arguments.get(Escape.CATCH_DISTANCE),
+                arguments.get(Escape.CATCH_DISTANCE), 1,
                 false,
                 wallFollowing::end);
         self.subscribe(PoseReport.TOPIC, message -> surrender.note(message.content(), mapFromBase.get()));

@@ -33,6 +33,7 @@ public final class Evade extends AgentTypeBase {
                 List.of(
                         Escape.HUNTER,
                         Escape.CATCH_DISTANCE,
+                        Escape.CATCHERS,
                         MarkerSight.SEES,
                         SENSING_RANGE,
                         FLEE_DISTANCE,

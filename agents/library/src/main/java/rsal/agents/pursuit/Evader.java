@@ -75,7 +75,14 @@ final class Evader {
         this.mind = new Mind(self);
         this.nearest = mind.belief("nearest hunter", Double.POSITIVE_INFINITY);
         this.surrender =
-                new CaptureDetector(self, robot, hunter, arguments.get(Escape.CATCH_DISTANCE), byMarkers, this::letGo);
+                new CaptureDetector(
+                self,
+                robot,
+                hunter,
+                arguments.get(Escape.CATCH_DISTANCE),
+                arguments.get(Escape.CATCHERS),
+                byMarkers,
+                this::letGo);
         this.self.atEnd(pilot::release);
     }
 
