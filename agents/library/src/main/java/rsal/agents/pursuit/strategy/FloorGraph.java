@@ -275,7 +275,7 @@ public final class FloorGraph {
         }
         var seeds = new ArrayList<Integer>();
         var near = new int[floor.length]; // how far the wave from a seed still goes there
-        int reach = (int) Math.round(0.7 * square * STRAIGHT);
+        int reach = square * STRAIGHT;
         for (int cell : roomiest.values()) {
             cover(cell, reach, floor, near, seeds);
         }
