@@ -33,7 +33,8 @@ public final class Intrude extends AgentTypeBase {
                 self,
                 robot,
                 arguments.get(Escape.HUNTER),
-                arguments.get(Escape.CATCH_DISTANCE), 1,
+                arguments.get(Escape.CATCH_DISTANCE),
+                1,
                 false,
                 wallFollowing::end);
         self.subscribe(PoseReport.TOPIC, message -> surrender.note(message.content(), mapFromBase.get()));

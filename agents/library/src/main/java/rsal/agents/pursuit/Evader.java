@@ -74,8 +74,7 @@ final class Evader {
                 new Charging(self, robot, driver, reporter::mapFromBase, arguments.get(Recharging.CHARGERS), LOW, FULL);
         this.mind = new Mind(self);
         this.nearest = mind.belief("nearest hunter", Double.POSITIVE_INFINITY);
-        this.surrender =
-                new CaptureDetector(
+        this.surrender = new CaptureDetector(
                 self,
                 robot,
                 hunter,

@@ -193,8 +193,7 @@ final class Hunt {
         if (strategy.sendsGoals() && !order.mapFromGoal().equals(mapFromSaidGoal)) {
             mapFromSaidGoal = order.mapFromGoal();
             self.publish(
-                    PursuitGoal.TOPIC,
-                    new PursuitGoal(robot.id(), order.prey().orElse(""), order.mapFromGoal()));
+                    PursuitGoal.TOPIC, new PursuitGoal(robot.id(), order.prey().orElse(""), order.mapFromGoal()));
         }
     }
 

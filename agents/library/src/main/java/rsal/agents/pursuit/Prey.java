@@ -8,7 +8,8 @@ import rsal.agents.parts.PoseReporter;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 
-/// One prey's part of a hunt: follows the wall on its left, or wanders, until it is caught. One that knows hunters by their markers
+/// One prey's part of a hunt: follows the wall on its left, or wanders, until it is caught. One that knows hunters by
+/// their markers
 /// tells nobody where it is.
 final class Prey {
     private final AgentContext self;

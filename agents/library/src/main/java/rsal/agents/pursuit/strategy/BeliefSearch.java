@@ -49,8 +49,10 @@ final class BeliefSearch {
             clear(view);
         } else {
             Arrays.fill(mass, 0);
-            view.prey().values().forEach(prey -> mass[floor.nearest(prey.position())] += 1.0
-                    / view.prey().size());
+            view.prey()
+                    .values()
+                    .forEach(prey -> mass[floor.nearest(prey.position())] +=
+                            1.0 / view.prey().size());
             time = view.time();
             goal = FloorGraph.NONE;
         }
@@ -97,8 +99,10 @@ final class BeliefSearch {
     Optional<PursuitOrder> decide(PursuitView view) {
         double sight = sight(view);
         double[] left = mass.clone();
-        view.goals().values().forEach(other -> floor.seen(floor.nearest(other), sight).stream()
-                .forEach(place -> left[place] = 0));
+        view.goals()
+                .values()
+                .forEach(other ->
+                        floor.seen(floor.nearest(other), sight).stream().forEach(place -> left[place] = 0));
         int here = floor.nearest(view.mapFromBase().position());
         double[] distances = floor.distances(here);
         int best = here;

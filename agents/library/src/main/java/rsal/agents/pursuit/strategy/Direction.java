@@ -6,11 +6,10 @@ import java.util.HashMap;
 import java.util.Map;
 import rsal.data.Point2d;
 
-/// Where robots come from, by their poses of the last seconds.
+/// How fast and whereto robots drive, by their poses of the last seconds.
 final class Direction {
     private static final double MEMORY = 2.5; // s
     private static final double LEAST = 0.5; // s between two poses that give a velocity
-    private static final double BEHIND = 1.0; // m, where a moving robot was
 
     private record Seen(double time, Point2d place) {}
 
@@ -36,14 +35,5 @@ final class Direction {
         return time < LEAST
                 ? new Point2d(0, 0)
                 : new Point2d((last.place.x() - first.place.x()) / time, (last.place.y() - first.place.y()) / time);
-    }
-
-    /// A point behind it; where it is if it stands.
-    Point2d before(String robot, Point2d place) {
-        Point2d velocity = velocity(robot);
-        double speed = Math.sqrt(velocity.x() * velocity.x() + velocity.y() * velocity.y());
-        return speed < 0.1
-                ? place
-                : new Point2d(place.x() - BEHIND * velocity.x() / speed, place.y() - BEHIND * velocity.y() / speed);
     }
 }

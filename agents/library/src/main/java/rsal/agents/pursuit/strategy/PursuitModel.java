@@ -2,26 +2,27 @@ package rsal.agents.pursuit.strategy;
 
 import java.util.Arrays;
 
-/// How a hunt goes on, on the places of a floor: hunters drive to goals and then chase, by shortest paths; the prey
-/// flees from hunters that are near by TrailMax, and else keeps its direction. All move at constant speeds, and turn in
-/// no time.
+/// What hunters leave to a prey on the places of a floor, and where it runs to. All move along shortest paths at
+/// constant speeds, and turn in no time.
 ///
-/// TrailMax (C. Moldenhauer and N. R. Sturtevant, "Evaluating strategies for running from the cops", IJCAI 2009): of the
-/// places that the prey reaches before any hunter, on paths of such places, it runs to the one that hunters reach last.
-/// Differs in that the prey may go out of its way only by whole places, and decides again at each.
+/// The prey flees by TrailMax (C. Moldenhauer and N. R. Sturtevant, "Evaluating strategies for running from the cops",
+/// IJCAI 2009): of the places that it reaches before any hunter, on paths of such places, it runs to the one that
+/// hunters
+/// reach last. Where no other place is left, it runs from the nearest hunter.
 final class PursuitModel {
     /// Of a hunter that chases.
     static final int CHASE = FloorGraph.NONE;
 
     private static final double STEP = 1.0; // s
+    private static final double FOR_A_PLACE = 0.02; // s
+    private static final double FOR_A_METER = 0.02; // s
+    private static final double CAUGHT = 1000; // s, more than a prey ever has left
     private static final double MARGIN = 0.5; // s by which the prey has to be sooner
 
     private final FloorGraph floor;
     private final double hunterSpeed;
     private final double preySpeed;
     private final double catchDistance;
-    private final double awareness; // m, straight, from which on prey flee
-    private final double horizon; // s
     private final double[] arrivals; // of hunters [s], by place, for one decision
     private final double[] times; // of the prey [s]
     private final int[] previous;
@@ -32,24 +33,14 @@ final class PursuitModel {
     private int[] next = {}; // places that hunters drive to now
     private double[] left = {}; // m to there
     private int[] goals = {};
-    private int prey;
-    private int preyFrom;
-    private double preyLeft; // m to `prey`
+    private int prey; // its place
     private int safe; // places, at the prey's last decision
 
-    PursuitModel(
-            FloorGraph floor,
-            double hunterSpeed,
-            double preySpeed,
-            double catchDistance,
-            double awareness,
-            double horizon) {
+    PursuitModel(FloorGraph floor, double hunterSpeed, double preySpeed, double catchDistance) {
         this.floor = floor;
         this.hunterSpeed = hunterSpeed;
         this.preySpeed = preySpeed;
         this.catchDistance = catchDistance;
-        this.awareness = awareness;
-        this.horizon = horizon;
         this.arrivals = new double[floor.size()];
         this.times = new double[floor.size()];
         this.previous = new int[floor.size()];
@@ -57,30 +48,45 @@ final class PursuitModel {
         this.waiting = new boolean[floor.size()];
     }
 
-    /// When the prey is caught [s]; where it is not until the horizon, longer by how far hunters are from it then.
+    /// The place that the prey runs to next; its own when it is best to stay.
+    int preyStep(int preyAt, int[] hunters) {
+        next = hunters;
+        left = new double[hunters.length];
+        prey = preyAt;
+        return flee();
+    }
+
+    /// How much is left to the prey after the hunters have driven to their targets for a while: when hunters reach
+    /// the last place that it reaches before them [s], and some for the number of such places and for the hunters'
+    /// paths to the prey. The rule "cover" (A. Isaza, J. Lu, V. Bulitko, R. Greiner, "A cover-based approach to
+    /// multi-agent moving target pursuit", AIIDE 2008) counts only such places.
     ///
-    /// @param preyAt its place
-    /// @param preyBefore the place where it was before, which gives its direction; the same if it stands
-    /// @param hunters their places
-    /// @param targets where they drive at first, or [#CHASE]
-    double captureTime(int preyAt, int preyBefore, int[] hunters, int[] targets) {
+    /// @param delay how long they drive [s]
+    double freedom(int preyAt, int[] hunters, int[] targets, double delay) {
         next = hunters.clone();
         left = new double[hunters.length];
         goals = targets.clone();
         prey = preyAt;
-        preyFrom = preyBefore;
-        preyLeft = 0;
-        for (double time = 0; time < horizon; time += STEP) {
-            double nearest = nearest();
-            if (nearest <= catchDistance) {
-                return time - (catchDistance - nearest) / (hunterSpeed + preySpeed);
-            }
-            movePrey();
+        for (double time = 0; time < delay; time += STEP) {
             for (int hunter = 0; hunter < next.length; hunter++) {
                 moveHunter(hunter);
             }
+            if (nearest() < catchDistance) {
+                return time - CAUGHT;
+            }
         }
-        return horizon + nearest() / hunterSpeed;
+        reach();
+        double latest = 0;
+        for (int place = 0; place < times.length; place++) {
+            if (times[place] < Double.POSITIVE_INFINITY) {
+                latest = Math.max(latest, arrivals[place]);
+            }
+        }
+        double paths = 0;
+        for (int hunter = 0; hunter < next.length; hunter++) {
+            paths += floor.distances(prey)[next[hunter]] + left[hunter];
+        }
+        return latest + FOR_A_PLACE * safe + FOR_A_METER * paths;
     }
 
     /// Path from a hunter to the prey [m].
@@ -88,7 +94,7 @@ final class PursuitModel {
         double[] toPrey = floor.distances(prey);
         double nearest = Double.POSITIVE_INFINITY;
         for (int hunter = 0; hunter < next.length; hunter++) {
-            nearest = Math.min(nearest, toPrey[next[hunter]] + left[hunter] - preyLeft);
+            nearest = Math.min(nearest, toPrey[next[hunter]] + left[hunter]);
         }
         return Math.max(0, nearest);
     }
@@ -120,50 +126,6 @@ final class PursuitModel {
             }
         }
         throw new IllegalArgumentException("Places '%d' and '%d' are no neighbors.".formatted(from, to));
-    }
-
-    private void movePrey() {
-        double budget = preySpeed * STEP;
-        while (preyLeft <= budget) {
-            budget -= preyLeft;
-            preyLeft = 0;
-            int to = choosePreyStep();
-            if (to == prey) {
-                return;
-            }
-            preyLeft = length(prey, to);
-            preyFrom = prey;
-            prey = to;
-        }
-        preyLeft -= budget;
-    }
-
-    private int choosePreyStep() {
-        boolean aware = false;
-        for (int hunter : next) {
-            aware |= floor.place(hunter).distanceTo(floor.place(prey)) < awareness;
-        }
-        return aware ? flee() : straightOn();
-    }
-
-    private int straightOn() {
-        if (preyFrom == prey) {
-            return prey;
-        }
-        double dx = floor.place(prey).x() - floor.place(preyFrom).x();
-        double dy = floor.place(prey).y() - floor.place(preyFrom).y();
-        int best = prey;
-        double straightest = Double.NEGATIVE_INFINITY;
-        for (int around : floor.neighbors(prey)) {
-            double x = floor.place(around).x() - floor.place(prey).x();
-            double y = floor.place(around).y() - floor.place(prey).y();
-            double cosine = (dx * x + dy * y) / Math.sqrt((dx * dx + dy * dy) * (x * x + y * y));
-            if (cosine > straightest) {
-                straightest = cosine;
-                best = around;
-            }
-        }
-        return best;
     }
 
     private double arrival(int place) {
