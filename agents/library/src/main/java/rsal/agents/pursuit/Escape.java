@@ -30,7 +30,7 @@ public final class Escape extends AgentTypeBase {
             "movement",
             "follow-wall",
             List.of("follow-wall", "wander"),
-            "How it drives: along the wall on its left, or straight on and away from obstacles at random.");
+            "How it drives while it does not flee: along the wall on its left, or straight on and away from obstacles at random.");
 
     public Escape() {
         super(

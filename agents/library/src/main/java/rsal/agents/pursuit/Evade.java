@@ -34,6 +34,7 @@ public final class Evade extends AgentTypeBase {
                         Escape.HUNTER,
                         Escape.CATCH_DISTANCE,
                         Escape.CATCHERS,
+                        Escape.MOVEMENT,
                         MarkerSight.SEES,
                         SENSING_RANGE,
                         FLEE_DISTANCE,
