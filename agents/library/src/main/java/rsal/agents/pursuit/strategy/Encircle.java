@@ -9,7 +9,8 @@ import rsal.data.Pose2d;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Hunters that cut off prey: the nearest one chases, and each other one goes where it leaves the prey least.
+/// Hunters that cut off prey: the nearest one chases, and each other one goes where it leaves the prey least. All chase
+/// while none is near enough that the prey may flee.
 ///
 /// A hunter compares the prey's own place with places within [#REACH] of it. Where the team will be after [#AHEAD], if
 /// the others drive where they announced, some places are left that the prey reaches before any hunter; the hunter
@@ -27,6 +28,7 @@ public final class Encircle implements PursuitStrategyType {
     private static final List<Integer> CHASE_ONLY = List.of(PursuitModel.CHASE);
     private static final double REACH = 20; // m of path from the prey
     private static final double APART = 2.5; // m of path between two places to compare
+    private static final double ALERT = 8.0; // m of path from the nearest hunter, from where a prey may flee
     private static final double CLOSE = 3.0; // m of path, from where it only chases
     private static final double KEEP = 2.0; // s by which another goal has to be better
     private static final double AHEAD = 2.0; // s until the moment that it judges places by
@@ -112,7 +114,9 @@ public final class Encircle implements PursuitStrategyType {
             }
             int best = PursuitModel.CHASE;
             double least = Double.POSITIVE_INFINITY;
-            for (int candidate : self == nearest(toPrey, hunters) ? CHASE_ONLY : candidates(floor, toPrey, here)) {
+            int nearest = nearest(toPrey, hunters);
+            boolean chases = self == nearest || toPrey[hunters[nearest]] > ALERT;
+            for (int candidate : chases ? CHASE_ONLY : candidates(floor, toPrey, here)) {
                 targets[self] = candidate;
                 double freedom = model.game.freedom(preyAt, hunters, targets, AHEAD) - (candidate == target ? KEEP : 0);
                 if (freedom < least) {
