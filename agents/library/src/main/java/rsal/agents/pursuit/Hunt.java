@@ -156,7 +156,8 @@ final class Hunt {
     private Optional<PursuitOrder> order(SortedMap<String, Pose2d> prey, Optional<String> choice) {
         Optional<Pose2d> here = reporter.mapFromBase();
         if (here.isEmpty()) {
-            return choice.map(each -> PursuitOrder.hunt(each, prey.get(each), "hunting"));
+            return choice.flatMap(
+                    each -> Optional.ofNullable(prey.get(each)).map(pose -> PursuitOrder.hunt(each, pose, "hunting")));
         }
         SortedMap<String, Pose2d> hunters = sightings.of(this::isHunter);
         hunters.put(robot.id(), here.get());

@@ -20,8 +20,7 @@ public final class Direct implements PursuitStrategyType {
         return new PursuitStrategy() {
             @Override
             public Optional<PursuitOrder> decide(PursuitView view) {
-                return view.assigned()
-                        .map(prey -> PursuitOrder.hunt(prey, view.prey().get(prey), "hunting"));
+                return view.direct();
             }
 
             @Override

@@ -85,14 +85,15 @@ public final class Encircle implements PursuitStrategyType {
                         .map(prey -> PursuitOrder.hunt(prey, view.prey().get(prey), "hunting"));
             }
             model.get().search.update(view);
-            return view.assigned().isPresent()
-                    ? Optional.of(hunt(model.get(), view, view.assigned().get()))
-                    : model.get().search.decide(view);
+            Model known = model.get();
+            Optional<PursuitOrder> hunt = view.assigned()
+                    .flatMap(prey -> Optional.ofNullable(view.prey().get(prey))
+                            .map(mapFromPrey -> hunt(known, view, prey, mapFromPrey)));
+            return hunt.isPresent() ? hunt : known.search.decide(view);
         }
 
-        private PursuitOrder hunt(Model model, PursuitView view, String prey) {
+        private PursuitOrder hunt(Model model, PursuitView view, String prey, Pose2d mapFromPrey) {
             FloorGraph floor = model.floor;
-            Pose2d mapFromPrey = view.prey().get(prey);
             int preyAt = floor.nearest(mapFromPrey.position());
             int here = floor.nearest(view.mapFromBase().position());
             double[] toPrey = floor.distances(preyAt);

@@ -38,7 +38,7 @@ public final class FloorGraph {
     private final List<Point2d> places = new ArrayList<>();
     private int[][] neighbors = {};
     private double[][] lengths = {};
-    private @Nullable double[][] distances = {};
+    private double[][] distances = {}; // from each place; empty until they are asked for
     private @Nullable BitSet[] views = {};
     private double sight; // m, of the views
     private final int[] queue;
@@ -60,7 +60,7 @@ public final class FloorGraph {
         boolean[] floor = reachable(clear, first);
         List<Integer> seeds = seeds(clear, floor);
         connect(floor, seeds);
-        this.distances = new double[places.size()][];
+        this.distances = new double[places.size()][0];
         this.views = new BitSet[places.size()];
         this.queue = new int[places.size() + 1];
     }
@@ -112,7 +112,7 @@ public final class FloorGraph {
     /// Lengths of the paths from a place to all [m]; shared, computed at the first request.
     public double[] distances(int from) {
         double[] known = distances[from];
-        if (known != null) {
+        if (known.length > 0) {
             return known;
         }
         var computed = new double[size()];

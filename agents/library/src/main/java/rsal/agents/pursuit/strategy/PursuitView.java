@@ -39,4 +39,10 @@ public record PursuitView(
         prey = Collections.unmodifiableSortedMap(new TreeMap<>(prey));
         goals = Collections.unmodifiableSortedMap(new TreeMap<>(goals));
     }
+
+    /// To drive to the newest pose of the assigned prey; empty while there is none.
+    public Optional<PursuitOrder> direct() {
+        return assigned.flatMap(
+                id -> Optional.ofNullable(prey.get(id)).map(at -> PursuitOrder.hunt(id, at, "hunting")));
+    }
 }
