@@ -81,8 +81,7 @@ public final class Encircle implements PursuitStrategyType {
             }
             view.prey().forEach((prey, mapFromPrey) -> direction.note(prey, view.time(), mapFromPrey.position()));
             if (model.isEmpty()) {
-                return view.assigned()
-                        .map(prey -> PursuitOrder.hunt(prey, view.prey().get(prey), "hunting"));
+                return view.direct();
             }
             model.get().search.update(view);
             Model known = model.get();
