@@ -16,6 +16,7 @@ module rsal.agent.library {
     exports rsal.agents.patrol;
     exports rsal.agents.patrol.strategy;
     exports rsal.agents.pursuit;
+    exports rsal.agents.pursuit.strategy;
     exports rsal.agents.rescue;
     exports rsal.agents.swarm;
     exports rsal.agents.team;
@@ -69,6 +70,10 @@ module rsal.agent.library {
             rsal.agents.patrol.strategy.RandomWalk,
             rsal.agents.patrol.strategy.StateExchange,
             rsal.agents.patrol.strategy.VoronoiCells;
+    provides rsal.agents.pursuit.strategy.PursuitStrategyType with
+            rsal.agents.pursuit.strategy.Direct,
+            rsal.agents.pursuit.strategy.Encircle,
+            rsal.agents.pursuit.strategy.RandomDrive;
     provides rsal.agents.swarm.SwarmRuleType with
             rsal.agents.swarm.Aggregation,
             rsal.agents.swarm.ConsensusFormation,
@@ -80,5 +85,6 @@ module rsal.agent.library {
             rsal.agents.LibraryTopics;
 
     uses rsal.agents.patrol.strategy.PatrolStrategyType;
+    uses rsal.agents.pursuit.strategy.PursuitStrategyType;
     uses rsal.agents.swarm.SwarmRuleType;
 }

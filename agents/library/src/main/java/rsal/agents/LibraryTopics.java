@@ -17,6 +17,7 @@ import rsal.agents.patrol.Visited;
 import rsal.agents.patrol.Watch;
 import rsal.agents.pursuit.Caught;
 import rsal.agents.pursuit.Chase;
+import rsal.agents.pursuit.PursuitGoal;
 import rsal.agents.pursuit.Sighting;
 import rsal.agents.rescue.VictimFound;
 import rsal.agents.rescue.VictimHelped;
@@ -38,6 +39,7 @@ public final class LibraryTopics implements TopicProvider {
                 MapEnds.TOPIC,
                 PatrolOrder.TOPIC,
                 PatrolReport.TOPIC,
+                PursuitGoal.TOPIC,
                 Sighting.TOPIC,
                 VictimFound.TOPIC,
                 VictimHelped.TOPIC,

@@ -23,7 +23,7 @@ public final class Roaming {
         return new Roaming(self, robot, "following the wall", PioneerStack::followLeftWall);
     }
 
-    static Roaming anywhere(AgentContext self, Robot robot) {
+    public static Roaming anywhere(AgentContext self, Robot robot) {
         return new Roaming(self, robot, "wandering", PioneerStack::wander);
     }
 

@@ -34,6 +34,7 @@ public final class Intrude extends AgentTypeBase {
                 robot,
                 arguments.get(Escape.HUNTER),
                 arguments.get(Escape.CATCH_DISTANCE),
+                1,
                 false,
                 wallFollowing::end);
         self.subscribe(PoseReport.TOPIC, message -> surrender.note(message.content(), mapFromBase.get()));

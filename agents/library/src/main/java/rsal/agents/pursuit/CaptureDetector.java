@@ -2,6 +2,7 @@ package rsal.agents.pursuit;
 
 import java.time.Duration;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Optional;
 import rsal.agent.AgentContext;
 import rsal.agent.message.PoseReport;
@@ -31,10 +32,12 @@ public final class CaptureDetector {
     private final TargetTracks hunters;
     private final String hunterName;
     private final double catchDistance;
+    private final int catchers;
     private final Runnable lettingGo;
     private boolean caught;
 
     /// @param hunterName role of the robots that catch it, or id of the one; empty when any other robot does
+    /// @param catchers how many of them have to be near at once
     /// @param byMarkers whether it is told of hunters while they are seen, not what they report
     /// @param lettingGo lets go of the robot for good
     public CaptureDetector(
@@ -42,6 +45,7 @@ public final class CaptureDetector {
             Robot robot,
             String hunterName,
             double catchDistance,
+            int catchers,
             boolean byMarkers,
             Runnable lettingGo) {
         this.self = self;
@@ -50,6 +54,7 @@ public final class CaptureDetector {
         this.hunters = byMarkers ? new TargetTracks(self.blackboard(), SEEN) : new TargetTracks(self.blackboard());
         this.hunterName = hunterName;
         this.catchDistance = catchDistance;
+        this.catchers = catchers;
         this.lettingGo = lettingGo;
     }
 
@@ -71,12 +76,15 @@ public final class CaptureDetector {
         }
     }
 
-    /// Of those that are near enough to catch it, with nothing between.
+    /// Of those that are near enough to catch it, with nothing between; empty while they are too few.
     private Optional<Hunter> nearestHunter(Pose2d mapFromBase) {
-        return hunters.of(_ -> true).entrySet().stream()
+        List<Hunter> near = hunters.of(_ -> true).entrySet().stream()
                 .filter(hunter -> LineOfSight.reaches(robot, mapFromBase, hunter.getValue(), catchDistance))
                 .map(hunter -> new Hunter(hunter.getKey(), mapFromBase.distanceTo(hunter.getValue())))
-                .min(Comparator.comparingDouble(Hunter::distance)); // of equals the first by id
+                .toList();
+        return near.size() < catchers
+                ? Optional.empty()
+                : near.stream().min(Comparator.comparingDouble(Hunter::distance)); // of equals the first by id
     }
 
     private void giveUp(Hunter hunter) {

@@ -19,11 +19,24 @@ public final class Escape extends AgentTypeBase {
     public static final Parameter<Double> CATCH_DISTANCE =
             Parameter.number("catchDistance", 2.0, 0.1, 100, "m", "It is caught when a hunter is nearer than this.");
 
+    static final Parameter<Integer> CATCHERS = Parameter.integer(
+            "catchers",
+            1,
+            1,
+            10,
+            "",
+            "It is caught when so many hunters are nearer than 'catchDistance' at once, in its line of sight.");
+    static final Parameter<String> MOVEMENT = Parameter.choice(
+            "movement",
+            "follow-wall",
+            List.of("follow-wall", "wander"),
+            "How it drives while it does not flee: along the wall on its left, or straight on and away from obstacles at random.");
+
     public Escape() {
         super(
                 "escape",
                 "Prey: follows the wall on its left until a hunter comes too near, then gives up.",
-                List.of(HUNTER, CATCH_DISTANCE, MarkerSight.SEES, PoseReporter.PERIOD),
+                List.of(HUNTER, CATCH_DISTANCE, CATCHERS, MOVEMENT, MarkerSight.SEES, PoseReporter.PERIOD),
                 List.of(Pilot.class));
     }
 

@@ -33,6 +33,8 @@ public final class Evade extends AgentTypeBase {
                 List.of(
                         Escape.HUNTER,
                         Escape.CATCH_DISTANCE,
+                        Escape.CATCHERS,
+                        Escape.MOVEMENT,
                         MarkerSight.SEES,
                         SENSING_RANGE,
                         FLEE_DISTANCE,

@@ -48,6 +48,7 @@ final class Evader {
     private final Optional<MarkerSight> eyes; // else it knows what they report
     private final double sight;
     private final double fear;
+    private final boolean wanders;
     private final Charging charging;
     private final Mind mind;
     private final List<Goal> goals = new ArrayList<>();
@@ -69,13 +70,20 @@ final class Evader {
                 : Optional.empty();
         this.evasion = new Evasion(self, robot);
         this.sight = arguments.get(Evade.SENSING_RANGE);
+        this.wanders = arguments.get(Escape.MOVEMENT).equals("wander");
         this.fear = arguments.get(Evade.FLEE_DISTANCE);
         this.charging =
                 new Charging(self, robot, driver, reporter::mapFromBase, arguments.get(Recharging.CHARGERS), LOW, FULL);
         this.mind = new Mind(self);
         this.nearest = mind.belief("nearest hunter", Double.POSITIVE_INFINITY);
-        this.surrender =
-                new CaptureDetector(self, robot, hunter, arguments.get(Escape.CATCH_DISTANCE), byMarkers, this::letGo);
+        this.surrender = new CaptureDetector(
+                self,
+                robot,
+                hunter,
+                arguments.get(Escape.CATCH_DISTANCE),
+                arguments.get(Escape.CATCHERS),
+                byMarkers,
+                this::letGo);
         this.self.atEnd(pilot::release);
     }
 
@@ -89,7 +97,7 @@ final class Evader {
                 .when(() -> nearest.get() < (running ? RELIEF * fear : fear))
                 .plan("run", this::run));
         goals.add(charging.goal(mind).priority(() -> 5));
-        goals.add(mind.goal("explore").priority(() -> 1).plan("follow the wall", this::explore));
+        goals.add(mind.goal("explore").priority(() -> 1).plan(wanders ? "wander" : "follow the wall", this::explore));
         mind.begin(THINK);
     }
 
@@ -159,10 +167,12 @@ final class Evader {
     }
 
     private void explore(PlanContext doing) {
-        pilot.engage(PioneerStack.followLeftWall(robot.model()));
-        doing.onSuspend(pilot::release)
-                .onResume(() -> pilot.engage(PioneerStack.followLeftWall(robot.model())))
-                .onEnd(pilot::release);
+        roam();
+        doing.onSuspend(pilot::release).onResume(this::roam).onEnd(pilot::release);
+    }
+
+    private void roam() {
+        pilot.engage(wanders ? PioneerStack.wander(robot.model()) : PioneerStack.followLeftWall(robot.model()));
     }
 
     private void run(PlanContext doing) {

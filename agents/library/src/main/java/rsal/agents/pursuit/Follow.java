@@ -2,15 +2,19 @@ package rsal.agents.pursuit;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.ServiceLoader;
 import rsal.agent.AgentContext;
 import rsal.agents.exploration.Viewpoints;
 import rsal.agents.parts.AgentTypeBase;
 import rsal.agents.parts.PoseReporter;
 import rsal.agents.parts.RequiredRobot;
+import rsal.agents.pursuit.strategy.PursuitStrategyType;
 import rsal.device.Device;
 import rsal.device.Navigator;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
+import rsal.settings.PluginChoice;
+import rsal.settings.PluginKind;
 
 /// A hunter: goes for the newest pose of a prey until that has been caught, then for the next. Driving where it is
 /// told comes first.
@@ -29,6 +33,12 @@ public final class Follow extends AgentTypeBase {
             "How hunters divide several prey: in turn, at the start (fixed); again at each update, with the least"
                     + " total distance (nearest); or by bids to an agent of type 'hunt'.");
 
+    static final Parameter<PluginChoice> STRATEGY = Parameter.plugin(
+            "strategy",
+            "direct",
+            PluginKind.of("pursuitStrategy", PursuitStrategyType.class, ServiceLoader.load(PursuitStrategyType.class)),
+            "decides where each hunter drives; with 'assignment: bids' only 'direct'");
+
     public Follow() {
         super(
                 "follow",
@@ -38,6 +48,7 @@ public final class Follow extends AgentTypeBase {
                         CATCH_DISTANCE,
                         UPDATE_INTERVAL,
                         ASSIGNMENT,
+                        STRATEGY,
                         MarkerSight.SEES,
                         Viewpoints.COUNT,
                         PoseReporter.PERIOD),

@@ -69,6 +69,11 @@ final class MarkerSight {
         return finder.latest().map(reading -> reading.value().fieldOfView()).orElse(0.0);
     }
 
+    /// How far the finder sees [m]; 0 before its first reading.
+    double range() {
+        return finder.latest().map(reading -> reading.value().rangeMax()).orElse(0.0);
+    }
+
     void begin() {
         self.subscribe(finder, reading -> mapFromBase.get().ifPresent(here -> look(reading.value(), here)));
     }

@@ -8,22 +8,31 @@ import rsal.agents.parts.PoseReporter;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 
-/// One prey's part of a hunt: follows the wall on its left until it is caught. One that knows hunters by their markers
+/// One prey's part of a hunt: follows the wall on its left, or wanders, until it is caught. One that knows hunters by
+/// their markers
 /// tells nobody where it is.
 final class Prey {
     private final AgentContext self;
-    private final Roaming wallFollowing;
+    private final Roaming roaming;
     private final PoseReporter reporter;
     private final CaptureDetector surrender;
     private final Optional<MarkerSight> sight;
 
     Prey(AgentContext self, Robot robot, Arguments arguments) {
         this.self = self;
-        this.wallFollowing = Roaming.alongWalls(self, robot);
+        this.roaming = arguments.get(Escape.MOVEMENT).equals("wander")
+                ? Roaming.anywhere(self, robot)
+                : Roaming.alongWalls(self, robot);
         String hunter = arguments.get(Escape.HUNTER);
         boolean byMarkers = MarkerSight.byMarkers(arguments);
         this.surrender = new CaptureDetector(
-                self, robot, hunter, arguments.get(Escape.CATCH_DISTANCE), byMarkers, wallFollowing::end);
+                self,
+                robot,
+                hunter,
+                arguments.get(Escape.CATCH_DISTANCE),
+                arguments.get(Escape.CATCHERS),
+                byMarkers,
+                roaming::end);
         this.reporter = new PoseReporter(self, robot, arguments, _ -> lookAround(), !byMarkers);
         this.sight = byMarkers
                 ? Optional.of(new MarkerSight(self, robot, reporter::mapFromBase, hunter, seen -> hear(seen.report())))
@@ -33,7 +42,7 @@ final class Prey {
     void begin() {
         sight.ifPresentOrElse(
                 MarkerSight::begin, () -> self.subscribe(PoseReport.TOPIC, message -> hear(message.content())));
-        wallFollowing.begin();
+        roaming.begin();
         reporter.begin();
     }
 

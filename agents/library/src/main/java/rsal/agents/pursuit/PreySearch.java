@@ -85,6 +85,11 @@ final class PreySearch {
         lookouts.ifPresent(Viewpoints::goOn);
     }
 
+    /// How far the robot sees prey [m]; 0 where prey report their poses, and before its first look.
+    double sight() {
+        return sight.map(MarkerSight::range).orElse(0.0);
+    }
+
     /// Whether it drives the robot when nobody else does.
     boolean roams() {
         return lookouts.isPresent();

@@ -36,6 +36,17 @@ class EscapeTest {
     }
 
     @Test
+    void needsAsManyHuntersAtOnceAsItIsTold() {
+        preyAtOrigin(Map.of("catchers", 2));
+        scene.report("h1", "hunter", 1, 0);
+        scene.report("h1", "hunter", 1.2, 0);
+        scene.report("h2", "hunter", 3, 0);
+        assertThat(scene.said("p1", Caught.TOPIC)).isEmpty();
+        scene.report("h2", "hunter", 1.8, 0);
+        assertThat(scene.said("p1", Caught.TOPIC)).containsExactly(new Caught("p1", "h1", 1.2));
+    }
+
+    @Test
     void noticesThatItHasRunIntoAHunter() {
         preyAtOrigin(Map.of());
         scene.report("h1", "hunter", 5, 0);
