@@ -10,10 +10,12 @@ import rsal.navigation.wavefront.CostMap;
 
 /// Finds places near a gate at which robots can wait without blocking it.
 final class WaitingPlaces {
-    private static final int MOST = 6;
-    private static final int MOST_TRIED = 40;
+    private static final int MOST = 10;
+    private static final int MOST_TRIED = 60;
     private static final double REACH = 3.5; // m around the gate
     private static final double ROOM = 0.1; // m between bodies
+    private static final double EXIT = 0.4; // m more beside the way out, as who waits stands not exactly at its place
+    private static final double IN_EXIT = 6; // m that a place in the way out counts as farther
     private static final double TO_WALLS = 0.05; // m; who waits turns in place
     private static final double KEPT = 0.5; // share of the surroundings that a waiting robot leaves connected
 
@@ -73,12 +75,13 @@ final class WaitingPlaces {
         return candidates;
     }
 
-    /// Near and beside the way out is best; a place in the way out counts as 2 m farther.
+    /// Near and beside the way out is best; a place in the way out counts as farther.
     private static double rank(Point2d place, Point2d mapFromGate, double heading, double apart) {
         double x = place.x() - mapFromGate.x();
         double y = place.y() - mapFromGate.y();
         double lateral = Math.abs(-Math.sin(heading) * x + Math.cos(heading) * y);
-        return Math.hypot(x, y) + 2 * Math.max(0, apart - lateral) / apart;
+        double free = apart + EXIT;
+        return Math.hypot(x, y) + IN_EXIT * Math.max(0, free - lateral) / free;
     }
 
     /// Cells to which a robot gets from the gate without passing near a place, outside of passages.

@@ -10,6 +10,8 @@ import rsal.navigation.traffic.TrafficReport.Claim;
 final class WaitingChoice {
     private static final double APART = 0.1; // m between bodies of who waits and who leaves
 
+    private static final double EXIT = 0.25; // m more, as who waits stands not exactly at its place
+
     private final Mates mates;
     private final String robot;
     private final double radius;
@@ -59,7 +61,7 @@ final class WaitingChoice {
                 }
             } else {
                 for (Point2d point : other.exit()) {
-                    least = Math.min(least, place.distanceTo(point));
+                    least = Math.min(least, place.distanceTo(point) - EXIT);
                 }
             }
         }
