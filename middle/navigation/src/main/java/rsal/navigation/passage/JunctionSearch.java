@@ -20,7 +20,7 @@ final class JunctionSearch {
     private static final double WIDEST = 2.4; // m of clearance; where there is more, robots drive around each other
     private static final double REACH = 2.0; // m that a corridor leads on at least, outside of the circle
     private static final double STOP = 0.1; // m between the free circle and who waits
-    private static final double SLACK = 0.3; // m by which an arm may be narrower than two robots need
+    private static final double SLACK = 0.15; // m by which an arm may be narrower than two robots need
 
     private final CostMap open;
     private final DistanceField toNotFree;

@@ -14,8 +14,6 @@ final class WaitingPlaces {
     private static final int MOST_TRIED = 60;
     private static final double REACH = 3.5; // m around the gate
     private static final double ROOM = 0.1; // m between bodies
-    private static final double EXIT = 0.4; // m more beside the way out, as who waits stands not exactly at its place
-    private static final double IN_EXIT = 6; // m that a place in the way out counts as farther
     private static final double TO_WALLS = 0.05; // m; who waits turns in place
     private static final double KEPT = 0.5; // share of the surroundings that a waiting robot leaves connected
 
@@ -75,13 +73,12 @@ final class WaitingPlaces {
         return candidates;
     }
 
-    /// Near and beside the way out is best; a place in the way out counts as farther.
+    /// Near and beside the way out is best; a place in the way out counts as 2 m farther.
     private static double rank(Point2d place, Point2d mapFromGate, double heading, double apart) {
         double x = place.x() - mapFromGate.x();
         double y = place.y() - mapFromGate.y();
         double lateral = Math.abs(-Math.sin(heading) * x + Math.cos(heading) * y);
-        double free = apart + EXIT;
-        return Math.hypot(x, y) + IN_EXIT * Math.max(0, free - lateral) / free;
+        return Math.hypot(x, y) + 2 * Math.max(0, apart - lateral) / apart;
     }
 
     /// Cells to which a robot gets from the gate without passing near a place, outside of passages.

@@ -16,6 +16,7 @@ public final class Lanes {
     private static final double ROOM = 0.08; // m to walls, least
     private static final int SPAN = 2; // points to each side, for the direction of the path
     private static final int LONGEST_GAP = 25; // points
+    private static final int SHORTEST = 16; // points with walls at both sides
     private static final int SMOOTH = 3; // points to each side
     private static final int KEPT = 6; // points before and behind a corridor that are in its lane
     private static final int FADE = 5; // points in which a path changes its lane, and at its ends
@@ -47,6 +48,7 @@ public final class Lanes {
         if (!any) {
             return path;
         }
+        dropShort(sideways);
         fill(sideways);
         return shifted(points, smoothed(sideways));
     }
@@ -68,6 +70,29 @@ public final class Lanes {
         Point2d from = points.get(Math.max(0, i - SPAN));
         Point2d to = points.get(Math.min(points.size() - 1, i + SPAN));
         return Math.atan2(to.y() - from.y(), to.x() - from.x());
+    }
+
+    /// A room is no corridor, though it is no wider: where lanes would be short, they are none.
+    private static void dropShort(double[] sideways) {
+        int from = 0;
+        int known = 0;
+        int last = -1;
+        for (int i = 0; i <= sideways.length; i++) {
+            boolean isLane = i < sideways.length && !Double.isNaN(sideways[i]) && sideways[i] != 0;
+            boolean isNarrow = i < sideways.length && sideways[i] == 0;
+            if (i == sideways.length || isNarrow || (isLane && last >= 0 && i - last > LONGEST_GAP)) {
+                for (int k = from; k < i && known < SHORTEST; k++) {
+                    sideways[k] = sideways[k] == 0 ? 0 : Double.NaN;
+                }
+                from = i;
+                known = 0;
+                last = -1;
+            }
+            if (isLane) {
+                known++;
+                last = i;
+            }
+        }
     }
 
     /// Between two known values in a line, if that is not far; else each goes on for a while, so that robots are in
