@@ -30,7 +30,7 @@ import rsal.navigation.traffic.IntersectionReport.Claim;
 final class Intersections implements TrafficRule {
     private static final Duration LISTENING = Duration.ofMillis(300);
     private static final Duration ABSENT = Duration.ofSeconds(3); // who is not heard for so long
-    private static final Duration BLOCKED = Duration.ofSeconds(20); // who stands in a junction is driven around then
+    private static final Duration BLOCKED = Duration.ofSeconds(25); // who needs longer to cross is an obstacle as others are
     private static final Duration STANDS = Duration.ofMillis(1500);
     private static final Duration IN_EXIT = Duration.ofSeconds(15); // for which who stands in the exit counts
     private static final Duration GREEN = Duration.ofSeconds(8); // for which others join who crosses
@@ -48,7 +48,7 @@ final class Intersections implements TrafficRule {
     private static final double BEHIND = 0.9; // m between bodies in one lane
     private static final double JOINING = 1.4; // m between bodies, to get into the lane of another one behind it
     private static final double BESIDE = 0.3; // m from the own lane
-    private static final double LANE = 0.4; // m from a path
+    private static final double LANE = 0.55; // m from a path
     private static final double NEIGHBORS = 10; // m
     private static final double VIEW = 8; // m of path
 
@@ -71,6 +71,7 @@ final class Intersections implements TrafficRule {
         Instant heardAt;
         Pose2d movedTo;
         Instant movedAt;
+        Instant heldAt; // since when it has been crossing
 
         Neighbor(String robot, IntersectionReport report, Instant now) {
             this.robot = robot;
@@ -78,6 +79,7 @@ final class Intersections implements TrafficRule {
             this.heardAt = now;
             this.movedTo = report.mapFromBase();
             this.movedAt = now;
+            this.heldAt = now;
         }
     }
 
@@ -120,6 +122,9 @@ final class Intersections implements TrafficRule {
         report.claim().ifPresent(other -> highest = Math.max(highest, other.ticket()));
         if (report.number() > neighbor.report.number()) {
             neighbor.report = report;
+        }
+        if (neighbor.report.claim().filter(Claim::isHeld).isEmpty()) {
+            neighbor.heldAt = now;
         }
         if (neighbor.movedTo.distanceTo(report.mapFromBase()) > 0.2) {
             neighbor.movedTo = report.mapFromBase();
@@ -369,7 +374,7 @@ final class Intersections implements TrafficRule {
             return !other.isHeld() && isAhead(mine, neighbor);
         }
         if (other.isHeld()) {
-            return still(neighbor).compareTo(BLOCKED) < 0;
+            return Duration.between(neighbor.heldAt, now).compareTo(BLOCKED) < 0;
         }
         return other.ticket() < mine.ticket()
                 || (other.ticket() == mine.ticket() && neighbor.robot.compareTo(self.robot()) < 0);
@@ -399,9 +404,11 @@ final class Intersections implements TrafficRule {
             boolean joins = path.size() > 1 && path.getFirst().distanceTo(path.get(1)) > BESIDE;
             double reach = self.radius() + neighbor.report.radius() + (joins ? JOINING : BEHIND);
             Claim mine = claim == null ? null : claim.report();
-            boolean waits = mine != null
-                    && neighbor.report.claim().filter(mine::comesWith).isPresent()
-                    && isAhead(mine, neighbor);
+            boolean waits = neighbor.report
+                    .claim()
+                    .filter(other ->
+                            !other.isHeld() && (mine == null || (mine.comesWith(other) && isAhead(mine, neighbor))))
+                    .isPresent();
             boolean drives = waits || still(neighbor).compareTo(STANDS) < 0;
             if (!drives || there.distanceTo(mapFromBase) > reach) {
                 continue;
