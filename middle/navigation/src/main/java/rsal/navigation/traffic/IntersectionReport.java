@@ -12,6 +12,7 @@ import rsal.data.Pose2d;
 /// @param number counts the reports of a robot; an older one that comes later does not count
 /// @param radius of the circle that it turns in [m]
 /// @param claim what it wants to cross, or crosses; empty for nothing
+/// @param waits whether it stands for others, and goes on when it may
 /// @param isAsking whether it wants an answer
 /// @param heard newest ticket that it has heard of each robot, by id
 public record IntersectionReport(
@@ -19,6 +20,7 @@ public record IntersectionReport(
         Pose2d mapFromBase,
         double radius,
         Optional<Claim> claim,
+        boolean waits,
         boolean isAsking,
         Map<String, Long> heard) {
     public IntersectionReport {
@@ -36,8 +38,8 @@ public record IntersectionReport(
 
         /// Whether two robots come in by the same lane.
         boolean comesWith(Claim other) {
-            return mapFromEntry.distanceTo(other.mapFromEntry) < 0.6
-                    && Math.cos(mapFromEntry.theta() - other.mapFromEntry.theta()) > 0.7;
+            return mapFromEntry.distanceTo(other.mapFromEntry) < 0.7
+                    && Math.cos(mapFromEntry.theta() - other.mapFromEntry.theta()) > 0;
         }
 
         /// Whether two paths come nearer than a distance [m].

@@ -31,7 +31,7 @@ final class Intersections implements TrafficRule {
     private static final Duration LISTENING = Duration.ofMillis(300);
     private static final Duration ABSENT = Duration.ofSeconds(3); // who is not heard for so long
     private static final Duration BLOCKED = Duration.ofSeconds(25); // who needs longer to cross is an obstacle as others are
-    private static final Duration STANDS = Duration.ofMillis(1500);
+    private static final Duration STANDS = Duration.ofSeconds(3); // without moving
     private static final Duration IN_EXIT = Duration.ofSeconds(15); // for which who stands in the exit counts
     private static final Duration GREEN = Duration.ofSeconds(8); // for which others join who crosses
     private static final Duration ASKING = Duration.ofMillis(300);
@@ -46,7 +46,9 @@ final class Intersections implements TrafficRule {
     private static final double STEP = 0.2; // m between points of a path
     private static final double ROOM = 0.05; // m between bodies
     private static final double BEHIND = 0.9; // m between bodies in one lane
+    private static final double BEHIND_WAITING = 1.2; // m; nearer, controllers begin to drive around it
     private static final double JOINING = 1.4; // m between bodies, to get into the lane of another one behind it
+    private static final double FARTHEST = 2; // m of path on which others are followed
     private static final double BESIDE = 0.3; // m from the own lane
     private static final double LANE = 0.55; // m from a path
     private static final double NEIGHBORS = 10; // m
@@ -61,6 +63,7 @@ final class Intersections implements TrafficRule {
     private Pose2d mapFromBase = Pose2d.ORIGIN;
     private Instant now;
     private Instant published = Instant.MIN;
+    private boolean waits;
     private long highest;
     private long number;
     private long done; // highest ticket that it had
@@ -150,6 +153,7 @@ final class Intersections implements TrafficRule {
                 advice = new TrafficAdvice.Halt();
             }
         }
+        waits = advice instanceof TrafficAdvice.Halt;
         talk();
         return advice;
     }
@@ -158,6 +162,7 @@ final class Intersections implements TrafficRule {
     public void stands(Instant at, Pose2d pose) {
         now = at;
         mapFromBase = pose;
+        waits = false;
         Point2d place = pose.position();
         List<Junction> here = junctions().stream()
                 .filter(junction -> junction.contains(place))
@@ -397,30 +402,38 @@ final class Intersections implements TrafficRule {
         return false;
     }
 
-    /// Whether a robot in the own lane is just ahead: it is followed, not overtaken.
+    /// Whether a robot in the own lane is just ahead: it is followed, not overtaken. Never each of two is ahead of the
+    /// other, as that is measured in the mean of their directions.
     private boolean isSomebodyAhead(List<Point2d> path) {
         for (Neighbor neighbor : present()) {
+            boolean drives =
+                    neighbor.report.waits() || still(neighbor).compareTo(STANDS) < 0;
             Pose2d there = neighbor.report.mapFromBase();
-            boolean joins = path.size() > 1 && path.getFirst().distanceTo(path.get(1)) > BESIDE;
-            double reach = self.radius() + neighbor.report.radius() + (joins ? JOINING : BEHIND);
-            Claim mine = claim == null ? null : claim.report();
-            boolean waits = neighbor.report
-                    .claim()
-                    .filter(other ->
-                            !other.isHeld() && (mine == null || (mine.comesWith(other) && isAhead(mine, neighbor))))
-                    .isPresent();
-            boolean drives = waits || still(neighbor).compareTo(STANDS) < 0;
-            if (!drives || there.distanceTo(mapFromBase) > reach) {
-                continue;
-            }
-            for (double at = STEP; at <= reach; at += STEP) {
-                Pose2d on = entry(path, at);
-                if (on.distanceTo(there) < LANE && Math.cos(on.theta() - there.theta()) > 0.5) {
-                    return true;
+            if (drives && lead(there) > 0 && there.distanceTo(mapFromBase) < farthest(path, neighbor.report)) {
+                for (double at = STEP; at <= FARTHEST; at += STEP) {
+                    Pose2d on = entry(path, at);
+                    if (on.distanceTo(there) < LANE && Math.cos(on.theta() - there.theta()) > 0.5) {
+                        return true;
+                    }
                 }
             }
         }
         return false;
+    }
+
+    private double lead(Pose2d there) {
+        double x = Math.cos(mapFromBase.theta()) + Math.cos(there.theta());
+        double y = Math.sin(mapFromBase.theta()) + Math.sin(there.theta());
+        return (there.x() - mapFromBase.x()) * x + (there.y() - mapFromBase.y()) * y;
+    }
+
+    /// How far ahead another robot counts [m].
+    private double farthest(List<Point2d> path, IntersectionReport other) {
+        Pose2d lane = entry(path, FARTHEST);
+        double beside = Math.abs((mapFromBase.y() - lane.y()) * Math.cos(lane.theta())
+                - (mapFromBase.x() - lane.x()) * Math.sin(lane.theta()));
+        double between = beside > BESIDE ? JOINING : other.waits() ? BEHIND_WAITING : BEHIND;
+        return self.radius() + other.radius() + between;
     }
 
     private long next() {
@@ -458,7 +471,7 @@ final class Intersections implements TrafficRule {
         neighbors.forEach(
                 (robot, neighbor) -> neighbor.report.claim().ifPresent(other -> heard.put(robot, other.ticket())));
         return new IntersectionReport(
-                number, mapFromBase, self.radius(), Optional.ofNullable(claim).map(Own::report), asks, heard);
+                number, mapFromBase, self.radius(), Optional.ofNullable(claim).map(Own::report), waits, asks, heard);
     }
 
     @Override
