@@ -30,7 +30,8 @@ import rsal.navigation.traffic.IntersectionReport.Claim;
 final class Intersections implements TrafficRule {
     private static final Duration LISTENING = Duration.ofMillis(300);
     private static final Duration ABSENT = Duration.ofSeconds(3); // who is not heard for so long
-    private static final Duration BLOCKED = Duration.ofSeconds(25); // who needs longer to cross is an obstacle as others are
+    private static final Duration BLOCKED =
+            Duration.ofSeconds(25); // who needs longer to cross is an obstacle as others are
     private static final Duration STANDS = Duration.ofSeconds(3); // without moving
     private static final Duration IN_EXIT = Duration.ofSeconds(15); // for which who stands in the exit counts
     private static final Duration GREEN = Duration.ofSeconds(8); // for which others join who crosses
@@ -64,6 +65,7 @@ final class Intersections implements TrafficRule {
     private Instant now;
     private Instant published = Instant.MIN;
     private boolean waits;
+    private boolean isInQueue;
     private long highest;
     private long number;
     private long done; // highest ticket that it had
@@ -149,7 +151,8 @@ final class Intersections implements TrafficRule {
             // from where the path is nearest on, not from the robot: beside its lane it would seem farther away
             List<Point2d> lane = corners.size() > 2 ? corners.subList(1, corners.size()) : corners;
             advice = known.isEmpty() ? advice : decide(known, lane);
-            if (advice instanceof TrafficAdvice.Proceed && isSomebodyAhead(corners)) {
+            boolean follows = !known.isEmpty() && !isInQueue;
+            if (follows && advice instanceof TrafficAdvice.Proceed && isSomebodyAhead(corners)) {
                 advice = new TrafficAdvice.Halt();
             }
         }
@@ -178,6 +181,11 @@ final class Intersections implements TrafficRule {
             claim.path = List.of(place);
         }
         talk();
+    }
+
+    /// Another rule decides whom this robot follows now.
+    void leaveFollowing(boolean toOthers) {
+        isInQueue = toOthers;
     }
 
     @Override
@@ -406,8 +414,7 @@ final class Intersections implements TrafficRule {
     /// other, as that is measured in the mean of their directions.
     private boolean isSomebodyAhead(List<Point2d> path) {
         for (Neighbor neighbor : present()) {
-            boolean drives =
-                    neighbor.report.waits() || still(neighbor).compareTo(STANDS) < 0;
+            boolean drives = neighbor.report.waits() || still(neighbor).compareTo(STANDS) < 0;
             Pose2d there = neighbor.report.mapFromBase();
             if (drives && lead(there) > 0 && there.distanceTo(mapFromBase) < farthest(path, neighbor.report)) {
                 for (double at = STEP; at <= FARTHEST; at += STEP) {

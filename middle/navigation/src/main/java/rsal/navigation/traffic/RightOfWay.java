@@ -429,6 +429,11 @@ final class RightOfWay implements TrafficRule {
                 followers);
     }
 
+    /// Whether it wants a passage, or has one.
+    boolean hasClaim() {
+        return claim != null;
+    }
+
     @Override
     public boolean isAmongOthers(Instant at, Pose2d pose) {
         for (Mate mate : mates.all()) {

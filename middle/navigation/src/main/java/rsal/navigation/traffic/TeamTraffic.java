@@ -8,10 +8,11 @@ import rsal.data.Pose2d;
 
 /// Rules for narrow passages and for junctions of wide corridors together. Passages come first: who waits for one does
 /// not enter a junction meanwhile.
-record TeamTraffic(TrafficRule passages, TrafficRule intersections) implements TrafficRule {
+record TeamTraffic(RightOfWay passages, Intersections intersections) implements TrafficRule {
     @Override
     public TrafficAdvice advise(Instant now, Pose2d mapFromBase, Supplier<List<Point2d>> mapFromPath) {
         TrafficAdvice first = passages.advise(now, mapFromBase, mapFromPath);
+        intersections.leaveFollowing(passages.hasClaim());
         if (first instanceof TrafficAdvice.Proceed) {
             return intersections.advise(now, mapFromBase, mapFromPath);
         }
