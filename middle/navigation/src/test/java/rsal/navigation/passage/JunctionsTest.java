@@ -22,9 +22,9 @@ class JunctionsTest {
             for (int column = 1; column < side - 1; column++) {
                 boolean inRow = row > arm && row <= arm + cells;
                 boolean inColumn = column > arm && column <= arm + cells;
-                boolean free = inRow && inColumn
-                        || inRow && (column <= arm ? left : right)
-                        || inColumn && (row <= arm ? down : up);
+                boolean free = (inRow && inColumn)
+                        || (inRow && (column <= arm ? left : right))
+                        || (inColumn && (row <= arm ? down : up));
                 if (free) {
                     map[row * side + column] = OccupancyGrid.FREE;
                 }
