@@ -123,6 +123,7 @@ public final class AmclDriver implements DeviceDriver {
                 context.mapFromBase().map(pose -> PoseEstimate.of(pose, deviations)),
                 context.scheduler());
         localizer.follow(base);
+        localizer.knows(new TeamPoses(context.team(), context.scheduler())::now);
         double maxRange = arguments.get(AmclParameters.MAX_RANGE);
         if (laser.isPresent()) {
             localizer.look(laser.get(), arguments.get(AmclParameters.BEAMS), maxRange);

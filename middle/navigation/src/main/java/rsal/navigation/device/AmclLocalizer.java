@@ -11,6 +11,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import rsal.data.LaserScan;
 import rsal.data.OccupancyGrid;
 import rsal.data.Odometry;
 import rsal.data.ParticleCloud;
@@ -47,6 +48,7 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();
     private final ReadingValidator scrutiny = ReadingValidator.ofAnyScans(this::printSkipped);
     private final RecentOdometry wheels = new RecentOdometry();
+    private Supplier<List<Mate>> mates = List::of;
     private Optional<PoseEstimate> start;
     private boolean restart = true;
     private boolean follows; // the belief follows the newest start
@@ -86,9 +88,30 @@ final class AmclLocalizer extends SensorCore<PoseEstimate> implements Localizer 
     void look(LaserScanner laser, int beams, double maxRange) {
         laser.subscribe(scan -> {
             if (scrutiny.accepts(scan)) {
-                onRanges(scan.time(), () -> Beams.of(scan.value(), beams, maxRange));
+                Supplier<LaserScan> walls = withoutMates(scan.value());
+                onRanges(scan.time(), () -> Beams.of(walls.get(), beams, maxRange));
             }
         });
+    }
+
+    /// Robots of the team are no part of the building: beams that end at them say nothing about where this one is.
+    /// Computed when it is asked for, with what is known now.
+    private Supplier<LaserScan> withoutMates(LaserScan scan) {
+        List<Mate> near = mates.get();
+        Belief known = belief;
+        Optional<Pose2d> odomFromBase = wheels.newest();
+        if (near.isEmpty() || known == null || odomFromBase.isEmpty()) {
+            return () -> scan;
+        }
+        Pose2d mapFromBase = known.moved(odomFromBase.get()).mapFromBase();
+        return () -> Mate.leaveOut(near, scan, mapFromBase);
+    }
+
+    /// Hears of robots of the team.
+    ///
+    /// @param others where they are now
+    void knows(Supplier<List<Mate>> others) {
+        mates = others;
     }
 
     void look(SonarArray sonars, double maxRange) {

@@ -20,6 +20,7 @@ import rsal.navigation.device.PathNavigator.Parts;
 import rsal.navigation.device.PathNavigator.Settings;
 import rsal.navigation.device.PathNavigator.Situation;
 import rsal.navigation.recovery.Recovery;
+import rsal.navigation.traffic.Lanes;
 import rsal.navigation.traffic.TrafficAdvice;
 import rsal.navigation.wavefront.Plan;
 import rsal.navigation.wavefront.Route;
@@ -341,8 +342,9 @@ final class NavigationTask {
         switch (plan) {
             case Plan.Found(var path, var _, var _) -> {
                 Route before = planning.route();
-                planning.adopt(path);
-                onPath(before == null ? Double.POSITIVE_INFINITY : left(before), path.length() + Math.PI);
+                Path2d adopted = inLane(path);
+                planning.adopt(adopted);
+                onPath(before == null ? Double.POSITIVE_INFINITY : left(before), adopted.length() + Math.PI);
             }
             case Plan.None(var why) -> {
                 if (planning.route() == null
@@ -351,6 +353,12 @@ final class NavigationTask {
                 }
             }
         }
+    }
+
+    private Path2d inLane(Path2d path) {
+        return parts.traffic().keepsLanes()
+                ? new Path2d(new Lanes(parts.toNotFree(), settings.bodyRadius()).right(path.points()))
+                : path;
     }
 
     /// @param before what was left of the path before; infinite when there was none

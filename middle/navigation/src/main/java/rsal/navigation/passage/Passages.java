@@ -29,11 +29,13 @@ public final class Passages {
     private final OccupancyGrid grid;
     private final int[] indices; // by cell; -1 outside of any
     private final List<Passage> all;
+    private final List<Junction> junctions;
 
-    private Passages(OccupancyGrid grid, int[] indices, List<Passage> all) {
+    private Passages(OccupancyGrid grid, int[] indices, List<Passage> all, List<Junction> junctions) {
         this.grid = grid;
         this.indices = indices;
         this.all = List.copyOf(all);
+        this.junctions = List.copyOf(junctions);
     }
 
     /// Finds them.
@@ -48,7 +50,8 @@ public final class Passages {
         for (int round = 1; round < MOST_ROUNDS && search.closeGatesWithoutRoom(found); round++) {
             found = search.find();
         }
-        return found;
+        var junctions = new JunctionSearch(open, toNotFree, found.indices, body).find();
+        return new Passages(found.grid, found.indices, found.all, junctions);
     }
 
     /// Half of the width from which on two robots can pass each other, even if they have to turn [m].
@@ -57,12 +60,17 @@ public final class Passages {
     }
 
     static Passages of(OccupancyGrid grid, int[] indices, List<Passage> all) {
-        return new Passages(grid, indices, all);
+        return new Passages(grid, indices, all, List.of());
     }
 
     /// In no special order.
     public List<Passage> all() {
         return all;
+    }
+
+    /// Where wide corridors meet: outside of passages, the one with the most corridors and room first.
+    public List<Junction> junctions() {
+        return junctions;
     }
 
     /// The passage at a place in the map frame; empty outside of any.
@@ -83,7 +91,8 @@ public final class Passages {
         return other instanceof Passages that
                 && that.grid.equals(grid)
                 && Arrays.equals(that.indices, indices)
-                && that.all.equals(all);
+                && that.all.equals(all)
+                && that.junctions.equals(junctions);
     }
 
     @Override

@@ -10,8 +10,8 @@ import rsal.navigation.wavefront.CostMap;
 
 /// Finds places near a gate at which robots can wait without blocking it.
 final class WaitingPlaces {
-    private static final int MOST = 6;
-    private static final int MOST_TRIED = 40;
+    private static final int MOST = 10;
+    private static final int MOST_TRIED = 60;
     private static final double REACH = 3.5; // m around the gate
     private static final double ROOM = 0.1; // m between bodies
     private static final double TO_WALLS = 0.05; // m; who waits turns in place

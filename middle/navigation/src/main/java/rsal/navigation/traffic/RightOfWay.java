@@ -160,6 +160,12 @@ final class RightOfWay implements TrafficRule {
     private TrafficAdvice drive(OwnClaim held, List<Crossing> ahead, List<Point2d> path) {
         Optional<Mate> opposed = opposed(held);
         if (opposed.isPresent()) {
+            if (!isInside(held)) { // who waits outside keeps nobody out, nor do those that it has taken along
+                held.isHeld = false;
+                followers.clear();
+                publish(false);
+                return approach(held, ahead);
+            }
             return backOut(held, opposed.get());
         }
         Optional<Crossing> last = ahead.stream()
@@ -206,7 +212,7 @@ final class RightOfWay implements TrafficRule {
     private void occupy(Passages known) {
         Point2d place = mapFromBase.position();
         Optional<Passage> here = known.at(place);
-        if (here.isEmpty()) {
+        if (here.isEmpty() || isPassingBy(here.get(), place)) {
             return;
         }
         if (claim != null && !claim.contains(here.get())) {
@@ -220,6 +226,14 @@ final class RightOfWay implements TrafficRule {
             claim.waiting = null;
             publish(false);
         }
+    }
+
+    /// Whether a robot that waits comes through the mouth of a passage on its path to its waiting place.
+    private boolean isPassingBy(Passage here, Point2d place) {
+        return claim != null
+                && !claim.isHeld
+                && claim.contains(here)
+                && place.distanceTo(here.gateNear(place).mapFromGate()) < 2 * self.radius();
     }
 
     /// Lets go of passages that the robot is out of, and that are not ahead.
@@ -415,6 +429,11 @@ final class RightOfWay implements TrafficRule {
                 followers);
     }
 
+    /// Whether it wants a passage, or has one.
+    boolean hasClaim() {
+        return claim != null;
+    }
+
     @Override
     public boolean isAmongOthers(Instant at, Pose2d pose) {
         for (Mate mate : mates.all()) {
@@ -441,6 +460,9 @@ final class RightOfWay implements TrafficRule {
                     .ifPresent(other -> other.passages()
                             .forEach(place -> known.at(place)
                                     .filter(passage -> !here.equals(Optional.of(passage)))
+                                    .filter(passage -> passage.distanceTo(
+                                                    mate.report.mapFromBase().position())
+                                            < self.radius()) // not one that waited long and goes only now
                                     .ifPresent(passage -> cells.addAll(passage.mapFromCells()))));
         }
         return cells;

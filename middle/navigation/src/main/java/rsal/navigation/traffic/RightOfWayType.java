@@ -17,6 +17,8 @@ public final class RightOfWayType implements TrafficType {
             3600,
             "s",
             "time after which a passage is closed to the planner, in which a robot does not move");
+    private static final Parameter<Boolean> JUNCTIONS =
+            Parameter.flag("junctions", true, "keep to the right in corridors, and take turns where they meet");
 
     @Override
     public String key() {
@@ -30,14 +32,15 @@ public final class RightOfWayType implements TrafficType {
 
     @Override
     public List<Parameter<?>> parameters() {
-        return List.of(CLAIM_DISTANCE, BATCH, CLOSE_AFTER);
+        return List.of(CLAIM_DISTANCE, BATCH, CLOSE_AFTER, JUNCTIONS);
     }
 
     @Override
     public TrafficRule create(Arguments arguments, Participant participant) {
-        return new RightOfWay(
+        var passages = new RightOfWay(
                 participant,
                 new RightOfWay.Settings(
                         arguments.get(CLAIM_DISTANCE), arguments.get(BATCH), arguments.seconds(CLOSE_AFTER)));
+        return arguments.get(JUNCTIONS) ? new TeamTraffic(passages, new Intersections(participant)) : passages;
     }
 }

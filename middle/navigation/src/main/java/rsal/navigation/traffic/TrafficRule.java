@@ -39,4 +39,9 @@ public interface TrafficRule {
     default boolean isAmongOthers(Instant now, Pose2d mapFromBase) {
         return false;
     }
+
+    /// Whether robots of the team are there that keep to the right of corridors as this one does.
+    default boolean keepsLanes() {
+        return false;
+    }
 }

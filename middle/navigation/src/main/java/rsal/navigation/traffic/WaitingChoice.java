@@ -10,6 +10,11 @@ import rsal.navigation.traffic.TrafficReport.Claim;
 final class WaitingChoice {
     private static final double APART = 0.1; // m between bodies of who waits and who leaves
 
+    private static final int CROWD = 2; // others that wait at a gate, from which on the way out is kept wider
+    private static final double EXIT = 0.25; // m more between who waits in a crowd and who leaves
+    private static final double BESIDE = 0.4; // m more beside the way out
+    private static final double IN_EXIT = 6; // m that a place in the way out counts as farther
+
     private final Mates mates;
     private final String robot;
     private final double radius;
@@ -28,15 +33,19 @@ final class WaitingChoice {
     @Nullable
     Point2d choose(OwnClaim wanted, Gate gate, Point2d position) {
         double apart = 2 * radius + APART;
+        boolean isCrowd = waiting(gate) >= CROWD;
+        double exit = isCrowd ? EXIT : 0;
         Point2d kept = wanted.waiting;
-        if (kept != null && gate.waitingPlaces().contains(kept) && room(kept, wanted) >= 0.9 * apart) {
+        if (kept != null && gate.waitingPlaces().contains(kept) && room(kept, wanted, exit) >= 0.9 * apart) {
             return kept;
         }
         Point2d best = null;
         double bestRank = Double.POSITIVE_INFINITY;
         for (Point2d place : gate.waitingPlaces()) {
-            double missing = Math.max(0, apart - room(place, wanted));
-            double rank = position.distanceTo(place) + 1.5 * place.distanceTo(gate.mapFromGate()) + 20 * missing;
+            double missing = Math.max(0, apart - room(place, wanted, exit));
+            double inExit = isCrowd ? inExit(place, gate, apart + BESIDE) : 0;
+            double rank =
+                    position.distanceTo(place) + 1.5 * place.distanceTo(gate.mapFromGate()) + 20 * missing + inExit;
             if (rank < bestRank) {
                 bestRank = rank;
                 best = place;
@@ -45,8 +54,30 @@ final class WaitingChoice {
         return best;
     }
 
+    private static double inExit(Point2d place, Gate gate, double free) {
+        double x = place.x() - gate.mapFromGate().x();
+        double y = place.y() - gate.mapFromGate().y();
+        double lateral = Math.abs(Math.cos(gate.heading()) * y - Math.sin(gate.heading()) * x);
+        return IN_EXIT * Math.max(0, free - lateral) / free;
+    }
+
+    /// How many others wait at a gate, or come to it.
+    private int waiting(Gate gate) {
+        int count = 0;
+        for (Mate mate : mates.all()) {
+            boolean waits = mate.report
+                    .claim()
+                    .filter(other -> !other.isHeld() && GateNeighbors.isSame(other.entry(), gate.mapFromGate()))
+                    .isPresent();
+            count += waits ? 1 : 0;
+        }
+        return count;
+    }
+
     /// Distance from a place to what it should be away from [m].
-    private double room(Point2d place, OwnClaim wanted) {
+    ///
+    /// @param exit how much farther it is to be from where others leave [m]
+    private double room(Point2d place, OwnClaim wanted, double exit) {
         double least = Double.POSITIVE_INFINITY;
         for (Mate mate : mates.all()) {
             Claim other = mate.report.claim().orElse(null);
@@ -59,7 +90,7 @@ final class WaitingChoice {
                 }
             } else {
                 for (Point2d point : other.exit()) {
-                    least = Math.min(least, place.distanceTo(point));
+                    least = Math.min(least, place.distanceTo(point) - exit);
                 }
             }
         }
