@@ -312,6 +312,22 @@ class PoseRequest:
 
 
 @dataclass(frozen=True, slots=True)
+class PursuitGoal:
+    """A hunter drives there from now on, by its pursuit strategy. Other hunters count on it.
+
+    :param hunter: id of its robot
+    :param prey: id of the robot that it hunts; empty while it searches
+    :param map_from_goal: where it drives, in the map frame; its heading does not matter
+    """
+
+    topic: ClassVar[str] = "pursuit-goal"
+
+    hunter: str
+    prey: str
+    map_from_goal: Pose2d
+
+
+@dataclass(frozen=True, slots=True)
 class Slot:
     """The place of one robot.
 

@@ -228,7 +228,6 @@ class CameraImage:
 
 class DockingStage(enum.Enum):
     """What it does about a goal."""
-
     BEGINNING = "BEGINNING"
     APPROACHING = "APPROACHING"
     DETECTING = "DETECTING"
@@ -494,7 +493,6 @@ class Hypothesis:
 
 class Quality(enum.Enum):
     """How well a robot is localized."""
-
     LOST = "LOST"
     AMBIGUOUS = "AMBIGUOUS"
     LOCALIZED = "LOCALIZED"
@@ -653,7 +651,7 @@ class Tolerance:
 @dataclass(frozen=True, slots=True)
 class PlaceFinderFound:
     """:param map_from_places: as many as were asked for, each with the clearance, no two nearer than twice
-    the clearance; from each a robot as wide as that gets to each
+        the clearance; from each a robot as wide as that gets to each
     """
 
     _type: ClassVar[str] = "Found"
@@ -672,7 +670,6 @@ class PlaceFinderNone:
 
 class PlaceObjective(enum.Enum):
     """What makes places for a team good. Distances are those of paths."""
-
     ROOMS = "ROOMS"
     APART = "APART"
     NEAR = "NEAR"

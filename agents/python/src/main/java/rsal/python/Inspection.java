@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.SequencedMap;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
-import rsal.frame.Frames;
+import rsal.frame.FramePipe;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Problems;
@@ -65,7 +65,7 @@ final class Inspection {
         Process process = null;
         try {
             process = Interpreter.start("inspection");
-            var frames = new Frames(process.getInputStream(), process.getOutputStream());
+            var frames = new FramePipe(process.getInputStream(), process.getOutputStream());
             frames.write(to ->
                     to.put("path", asked.path).put("class", asked.className).put("text", asked.text));
             Map<?, ?> found = frames.read();

@@ -16,7 +16,7 @@ import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.OutsideCode;
 import rsal.device.Device;
-import rsal.frame.Frames;
+import rsal.frame.FramePipe;
 import rsal.frame.ToWords;
 import rsal.robot.Robot;
 
@@ -150,7 +150,7 @@ final class PythonAgent implements Agent {
         }
     }
 
-    private void send(Life own, int number, boolean newest, Frames.Content content) {
+    private void send(Life own, int number, boolean newest, FramePipe.Content content) {
         if (own.worker.postman().isEmpty()) {
             own.worker.exchange(to -> content.write(head(own, to)), own.requests);
         } else {
@@ -158,7 +158,7 @@ final class PythonAgent implements Agent {
         }
     }
 
-    private static void send(Life own, int number, boolean newest, Frames.Content content, PythonWorker.Peer peer) {
+    private static void send(Life own, int number, boolean newest, FramePipe.Content content, PythonWorker.Peer peer) {
         Runnable bring = () -> {
             if (own.ended.isDone()) {
                 return;

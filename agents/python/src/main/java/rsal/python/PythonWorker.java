@@ -15,7 +15,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.Agent;
-import rsal.frame.Frames;
+import rsal.frame.FramePipe;
 import rsal.time.LockstepScheduler;
 
 /// The process of Python in which all agents in Python of one run live. It starts with the first of them and ends with
@@ -34,7 +34,7 @@ final class PythonWorker {
 
     private final Object run;
     private final Process process;
-    private final Frames frames;
+    private final FramePipe frames;
     private final Thread errors;
     private final Deque<String> said = new ArrayDeque<>(); // on stderr, the last lines; guarded by itself
     private final Optional<Postman> postman;
@@ -65,14 +65,14 @@ final class PythonWorker {
         } catch (IOException e) {
             throw new PythonFailure("Python can't be run: %s.".formatted(e.getMessage()));
         }
-        this.frames = new Frames(process.getInputStream(), process.getOutputStream());
+        this.frames = new FramePipe(process.getInputStream(), process.getOutputStream());
         this.errors = Thread.ofPlatform().daemon().name("python-errors").start(this::readErrors);
         try {
             Map<?, ?> hello = frames.read();
             if (hello.get("error") instanceof String why) {
                 throw new PythonFailure(why);
             }
-            if (!Integer.valueOf(Frames.VERSION).equals(hello.get("protocol"))
+            if (!Integer.valueOf(FramePipe.VERSION).equals(hello.get("protocol"))
                     || !"little".equals(hello.get("order"))) {
                 throw new PythonFailure("Python's side does not fit to this version of RSAL: %s.".formatted(hello));
             }
@@ -151,7 +151,7 @@ final class PythonWorker {
     /// Sends an event, and does what Python asks for until its turn is over.
     ///
     /// @throws PythonFailure when the agent has failed, or the process has
-    void exchange(Frames.Content event, Peer peer) {
+    void exchange(FramePipe.Content event, Peer peer) {
         String gone = dead;
         if (gone != null) {
             throw new PythonFailure(gone);

@@ -30,6 +30,7 @@ final class CommandReference {
                 ? Stream.of(of)
                 : of.subcommands().values().stream()
                         .map(CommandLine::getCommandSpec)
+                        .filter(command -> !command.usageMessage().hidden())
                         .flatMap(CommandReference::leaves);
     }
 

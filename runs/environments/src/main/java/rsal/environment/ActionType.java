@@ -7,5 +7,5 @@ import rsal.settings.Plugin;
 public interface ActionType extends Plugin {
     /// @param arguments for [#parameters]
     /// @throws IllegalArgumentException in a sentence for people, when they do not fit together
-    Action create(Arguments arguments);
+    LearnerAction create(Arguments arguments);
 }

@@ -17,7 +17,12 @@ import rsal.scenario.Scenario;
 /// @param observations of each learner, one after the other
 /// @param steps of the scenario in a step of the environment
 public record Blueprint(
-        Scenario scenario, RunOptions options, String role, List<Observation> observations, Action action, int steps) {
+        Scenario scenario,
+        RunOptions options,
+        String role,
+        List<LearnerObservation> observations,
+        LearnerAction action,
+        int steps) {
     private static final int MOST_STEPS = 10_000;
 
     /// @throws IllegalArgumentException in a sentence for people

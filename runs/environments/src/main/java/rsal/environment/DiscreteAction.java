@@ -28,7 +28,7 @@ public final class DiscreteAction implements ActionType {
     }
 
     @Override
-    public Action create(Arguments arguments) {
+    public LearnerAction create(Arguments arguments) {
         double speed = arguments.get(SPEED);
         double turn = arguments.get(TURN);
         return new Discrete(List.of(
@@ -39,7 +39,7 @@ public final class DiscreteAction implements ActionType {
                 Twist2d.drive(-speed, 0)));
     }
 
-    private record Discrete(List<Twist2d> velocities) implements Action {
+    private record Discrete(List<Twist2d> velocities) implements LearnerAction {
         @Override
         public List<String> fields() {
             return List.of("choice");

@@ -78,7 +78,7 @@ public final class EnvironmentSession implements AutoCloseable {
         var fields = new ArrayList<String>();
         var low = new ArrayList<Float>();
         var high = new ArrayList<Float>();
-        for (Observation observation : blueprint.observations()) {
+        for (LearnerObservation observation : blueprint.observations()) {
             for (String field : observation.fields()) {
                 fields.add(field);
                 low.add(observation.low());

@@ -40,11 +40,11 @@ public final class Environments {
             List<Map<String, Object>> observed,
             Map<String, Object> acted,
             int steps) {
-        var wanted = new ArrayList<Observation>();
+        var wanted = new ArrayList<LearnerObservation>();
         for (Map<String, Object> words : observed) {
             wanted.add(make("observation", observations, words, type -> type::create));
         }
-        Action action = make("action", actions, acted, type -> type::create);
+        LearnerAction action = make("action", actions, acted, type -> type::create);
         return new Blueprint(Scenario.load(scenario), options, role, wanted, action, steps);
     }
 

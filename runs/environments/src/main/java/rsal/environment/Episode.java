@@ -28,9 +28,9 @@ public final class Episode implements AutoCloseable {
     private final Map<String, Integer> numbers = new HashMap<>(); // of robots, by id
     private final Pose2d[] truth; // map from base, by number
     private final int[] collisions; // so far, by number
-    private final List<List<Observation.Reader>> readers = new ArrayList<>(); // by learner
+    private final List<List<LearnerObservation.Reader>> readers = new ArrayList<>(); // by learner
     private final int[] sizes; // of observations, of which each takes time to ask for
-    private final List<Action.Actor> actors = new ArrayList<>();
+    private final List<LearnerAction.Actor> actors = new ArrayList<>();
     private final float[] low; // of an action
     private final float[] high;
     private final float[] own; // action of a learner
@@ -62,7 +62,8 @@ public final class Episode implements AutoCloseable {
         }
     }
 
-    /// Makes the robots and agents of an episode, and simulates the first step of the scenario, in which learners stand:
+    /// Makes the robots and agents of an episode, and simulates the first step of the scenario, in which learners
+    /// stand:
     /// after it, all sensors have measured.
     ///
     /// @throws rsal.settings.InvalidSettings when the scenario has mistakes
@@ -149,7 +150,7 @@ public final class Episode implements AutoCloseable {
     /// @param at index of the first number
     public void observe(float[] to, int at) {
         int next = at;
-        for (List<Observation.Reader> own : readers) {
+        for (List<LearnerObservation.Reader> own : readers) {
             for (int i = 0; i < own.size(); i++) {
                 own.get(i).read(to, next);
                 next += sizes[i];

@@ -30,11 +30,11 @@ public final class GoalAction implements ActionType {
     }
 
     @Override
-    public Action create(Arguments arguments) {
+    public LearnerAction create(Arguments arguments) {
         return new Goal(arguments.get(REACH).floatValue());
     }
 
-    private record Goal(float reach) implements Action {
+    private record Goal(float reach) implements LearnerAction {
         @Override
         public List<String> fields() {
             return List.of("x of goal [m]", "y of goal [m]");

@@ -33,12 +33,12 @@ public final class NearestObservation implements ObservationType {
     }
 
     @Override
-    public Observation create(Arguments arguments) {
+    public LearnerObservation create(Arguments arguments) {
         return new Nearest(
                 arguments.get(ROLE), arguments.get(COUNT), arguments.get(MAX).floatValue());
     }
 
-    private record Nearest(String role, int count, float max) implements Observation {
+    private record Nearest(String role, int count, float max) implements LearnerObservation {
         private static final int EACH = 3; // x, y, whether there is one
 
         @Override

@@ -7,5 +7,5 @@ import rsal.settings.Plugin;
 public interface ObservationType extends Plugin {
     /// @param arguments for [#parameters]
     /// @throws IllegalArgumentException in a sentence for people, when they do not fit together
-    Observation create(Arguments arguments);
+    LearnerObservation create(Arguments arguments);
 }

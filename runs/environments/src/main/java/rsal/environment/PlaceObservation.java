@@ -33,11 +33,11 @@ public final class PlaceObservation implements ObservationType {
     }
 
     @Override
-    public Observation create(Arguments arguments) {
+    public LearnerObservation create(Arguments arguments) {
         return new Place(arguments.get(X), arguments.get(Y), arguments.get(MAX).floatValue());
     }
 
-    private record Place(double x, double y, float max) implements Observation {
+    private record Place(double x, double y, float max) implements LearnerObservation {
         @Override
         public List<String> fields() {
             return List.of("x of place [m]", "y of place [m]");

@@ -33,11 +33,11 @@ public final class PoseObservation implements ObservationType {
     }
 
     @Override
-    public Observation create(Arguments arguments) {
+    public LearnerObservation create(Arguments arguments) {
         return new Pose(arguments.get(FROM).equals("truth"), arguments.get(MAX).floatValue());
     }
 
-    private record Pose(boolean isTrue, float max) implements Observation {
+    private record Pose(boolean isTrue, float max) implements LearnerObservation {
         @Override
         public List<String> fields() {
             return List.of("x [m]", "y [m]", "cosine of heading", "sine of heading");

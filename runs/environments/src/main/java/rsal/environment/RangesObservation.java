@@ -41,14 +41,14 @@ public final class RangesObservation implements ObservationType {
     }
 
     @Override
-    public Observation create(Arguments arguments) {
+    public LearnerObservation create(Arguments arguments) {
         return new Ranges(
                 arguments.get(DEVICE),
                 arguments.get(SECTORS),
                 arguments.get(MAX).floatValue());
     }
 
-    private record Ranges(String device, int sectors, float max) implements Observation {
+    private record Ranges(String device, int sectors, float max) implements LearnerObservation {
         private static final float[] NONE = new float[0]; // before the first reading
 
         @Override

@@ -38,7 +38,7 @@ public final class VelocityAction implements ActionType {
     }
 
     @Override
-    public Action create(Arguments arguments) {
+    public LearnerAction create(Arguments arguments) {
         refusal(arguments).ifPresent(why -> {
             throw new IllegalArgumentException(why);
         });
@@ -48,7 +48,7 @@ public final class VelocityAction implements ActionType {
                 arguments.get(TURN).floatValue());
     }
 
-    private record Velocity(float backward, float forward, float turn) implements Action {
+    private record Velocity(float backward, float forward, float turn) implements LearnerAction {
         @Override
         public List<String> fields() {
             return List.of("forward [m/s]", "turn [rad/s]");

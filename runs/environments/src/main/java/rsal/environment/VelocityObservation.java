@@ -21,11 +21,11 @@ public final class VelocityObservation implements ObservationType {
     }
 
     @Override
-    public Observation create(Arguments arguments) {
+    public LearnerObservation create(Arguments arguments) {
         return new Velocity();
     }
 
-    private record Velocity() implements Observation {
+    private record Velocity() implements LearnerObservation {
         @Override
         public List<String> fields() {
             return List.of("forward [m/s]", "left [m/s]", "turn [rad/s]");

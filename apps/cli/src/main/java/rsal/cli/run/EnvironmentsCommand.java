@@ -12,7 +12,7 @@ import rsal.cli.terminal.Exit;
 import rsal.cli.terminal.Subcommand;
 import rsal.engine.report.RunBroken;
 import rsal.environment.EnvironmentSession;
-import rsal.frame.Frames;
+import rsal.frame.FramePipe;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
@@ -25,7 +25,7 @@ import rsal.settings.Problem;
 public final class EnvironmentsCommand extends Subcommand {
     @Override
     protected int run() throws IOException {
-        var frames = new Frames(new FileInputStream(FileDescriptor.in), new FileOutputStream(FileDescriptor.out));
+        var frames = new FramePipe(new FileInputStream(FileDescriptor.in), new FileOutputStream(FileDescriptor.out));
         System.setOut(System.err); // what anything else prints must not be among the frames
         try (var session = new EnvironmentSession()) {
             while (true) {
@@ -36,8 +36,8 @@ public final class EnvironmentsCommand extends Subcommand {
         }
     }
 
-    private static void answer(EnvironmentSession session, Frames frames) throws IOException {
-        Frames.Frame request = frames.readFrame();
+    private static void answer(EnvironmentSession session, FramePipe frames) throws IOException {
+        FramePipe.Frame request = frames.readFrame();
         EnvironmentSession.Answer answer;
         try {
             answer = session.answer(request.words(), numbers(request.arrays()));
@@ -62,7 +62,7 @@ public final class EnvironmentsCommand extends Subcommand {
         return numbers;
     }
 
-    private static void refuse(Frames frames, String why) throws IOException {
+    private static void refuse(FramePipe frames, String why) throws IOException {
         frames.write(to -> to.put("error", why));
     }
 }

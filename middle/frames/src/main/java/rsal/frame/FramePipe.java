@@ -21,7 +21,7 @@ import tools.jackson.databind.json.JsonMapper;
 /// value is an array, the words say which bytes it has: `{"array":"f4","at":0,"count":180}`.
 ///
 /// Of one thread at a time.
-public final class Frames {
+public final class FramePipe {
     public static final int VERSION = 1;
     private static final int LONGEST = 1 << 26; // B
     private static final int HEAD = 8; // B
@@ -41,7 +41,7 @@ public final class Frames {
     private byte[] body = new byte[1 << 12]; // of the one that was read
 
     /// @param out without a buffer
-    public Frames(InputStream in, OutputStream out) {
+    public FramePipe(InputStream in, OutputStream out) {
         this.in = in;
         this.out = out;
     }

@@ -14,20 +14,20 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-class FramesTest {
+class FramePipeTest {
     record Place(double x, String name) {}
 
-    private static byte[] written(Frames.Content... contents) throws IOException {
+    private static byte[] written(FramePipe.Content... contents) throws IOException {
         var bytes = new ByteArrayOutputStream();
-        var frames = new Frames(new ByteArrayInputStream(new byte[0]), bytes);
-        for (Frames.Content content : contents) {
+        var frames = new FramePipe(new ByteArrayInputStream(new byte[0]), bytes);
+        for (FramePipe.Content content : contents) {
             frames.write(content);
         }
         return bytes.toByteArray();
     }
 
-    private static Frames reader(byte[] bytes) {
-        return new Frames(new ByteArrayInputStream(bytes), new ByteArrayOutputStream());
+    private static FramePipe reader(byte[] bytes) {
+        return new FramePipe(new ByteArrayInputStream(bytes), new ByteArrayOutputStream());
     }
 
     @Test
@@ -37,13 +37,13 @@ class FramesTest {
                         .put("some", List.of(1, 2))
                         .put("map", Map.of("b", 1, "a", 2)),
                 to -> to.put("ranges", new float[] {1.5f, Float.NaN}).put("counts", new int[] {-7}));
-        Frames frames = reader(bytes);
+        FramePipe frames = reader(bytes);
         assertThat(frames.read())
                 .isEqualTo(Map.of(
                         "place", Map.of("x", Double.POSITIVE_INFINITY, "name", "läb"),
                         "some", List.of(1, 2),
                         "map", Map.of("a", 2, "b", 1)));
-        Frames.Frame frame = frames.readFrame();
+        FramePipe.Frame frame = frames.readFrame();
         assertThat(frame.words())
                 .isEqualTo(Map.of(
                         "ranges", Map.of("array", "f4", "at", 0, "count", 2),

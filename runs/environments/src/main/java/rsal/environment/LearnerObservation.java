@@ -4,7 +4,7 @@ import java.util.List;
 import rsal.robot.Robot;
 
 /// Some numbers that each learner observes. Immutable; all worlds share it.
-public interface Observation {
+public interface LearnerObservation {
     /// What each number is, with its unit: `forward [m/s]`.
     List<String> fields();
 

@@ -3,7 +3,7 @@ package rsal.environment;
 import java.util.List;
 
 /// What a learner can do in a step. Immutable; all worlds share it.
-public interface Action {
+public interface LearnerAction {
     /// What each number is, with its unit: `forward [m/s]`.
     List<String> fields();
 
