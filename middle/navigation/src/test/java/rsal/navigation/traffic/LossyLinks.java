@@ -41,7 +41,11 @@ public final class LossyLinks {
             public <M extends Record> Subscription onMessage(Class<M> type, BiConsumer<String, M> listener) {
                 listeners
                         .computeIfAbsent(robot, _ -> new ArrayList<>())
-                        .add((sender, message) -> listener.accept(sender, type.cast(message)));
+                        .add((sender, message) -> {
+                            if (type.isInstance(message)) {
+                                listener.accept(sender, type.cast(message));
+                            }
+                        });
                 return () -> {};
             }
         };
