@@ -15,6 +15,7 @@ public record PursuitGoal(String hunter, String prey, Pose2d mapFromGoal) implem
 
     public PursuitGoal {
         MessageCheck.given("hunter", hunter);
+        MessageCheck.given("prey", prey);
         MessageCheck.somewhere("goal", mapFromGoal);
     }
 
