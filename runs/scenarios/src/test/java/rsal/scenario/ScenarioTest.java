@@ -301,7 +301,7 @@ class ScenarioTest {
                         "type: zebra, robot: prey",
                         "no type of agent 'zebra'",
                         "Known are:",
-                        "An agent of your own is named by its file, such as Watcher.java."),
+                        "An agent of your own is named by its file, such as Watcher.java"),
                 List.of("robot: hunter", "robot: huntr", "No robots have the role 'huntr'", "Maybe 'hunter'"),
                 List.of(
                         "chase: {type: wanderer, robot: hunter}",
