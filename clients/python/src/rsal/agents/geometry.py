@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def wrap(angle: float) -> float:
-    """The same angle in [-π, π) [rad]."""
+    """Return the same angle in [-π, π) [rad]."""
     return (angle + math.pi) % (2 * math.pi) - math.pi
 
 
@@ -87,6 +87,6 @@ class ScanMethods:
         return self.ranges[(bearings >= right) & (bearings <= left)]
 
     def nearest(self: LaserScan, right: float = -math.pi, left: float = math.pi) -> float:  # type: ignore[misc]
-        """The least range in a sector [m]; ``inf`` where nothing is."""
+        """Return the least range in a sector [m]; ``inf`` where nothing is."""
         ranges = self.sector(right, left)
         return float(ranges.min()) if len(ranges) else math.inf

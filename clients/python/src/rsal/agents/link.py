@@ -33,16 +33,17 @@ class Link:
         self.ended = False
 
     def listen(self, heard: Heard) -> int:
-        """A new number, under which something is heard."""
+        """Return a new number, under which something is heard."""
         self._last += 1
         self.heard[self._last] = heard
         return self._last
 
     def do(self, verb: str, *arguments: Any) -> None:
+        """Keep a request without an answer until the end of the turn."""
         self.asked.append([verb, place(), *arguments])
 
     def ask(self, verb: str, *arguments: Any) -> tuple[Any, memoryview]:
-        """Does what was kept, and asks.
+        """Do what was kept, and asks.
 
         :raises RsalError: when RSAL cannot answer
         """
@@ -57,6 +58,7 @@ class Link:
         return words["value"], arrays
 
     def cancel(self, number: int) -> None:
+        """End the callbacks of a number. Cancelling twice does nothing."""
         if self.heard.pop(number, None) is not None:
             self.do("cancel", number)
 

@@ -43,7 +43,7 @@ def Param(  # noqa: N802 - declares, as a type would
     robots: bool = False,
     description: str = "",
 ) -> Any:
-    """Declares a parameter as a class attribute with an annotation: ``speed: float = Param(0.4, min=0, unit="m/s")``.
+    """Declare a parameter as a class attribute with an annotation: ``speed: float = Param(0.4, min=0, unit="m/s")``.
 
     All arguments are literals, since RSAL reads them without running the file. The annotation is ``float``, ``int``,
     ``str`` or ``bool``. Without a default, a scenario must give the value.

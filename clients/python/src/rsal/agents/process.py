@@ -9,7 +9,7 @@ from rsal.protocol import VERSION, Frames
 
 
 def main() -> None:
-    """Takes the pipes for frames: what else is read finds nothing, what else is written goes to stderr."""
+    """Take the pipes for frames: what else is read finds nothing, what else is written goes to stderr."""
     source = os.fdopen(os.dup(0), "rb")
     sink = os.fdopen(os.dup(1), "wb", buffering=0)
     nothing = os.open(os.devnull, os.O_RDONLY)

@@ -32,6 +32,7 @@ LOOK = 1.0
 
 
 def notice(words: str) -> None:
+    """Write a line for RSAL on stderr."""
     os.write(2, f"{NOTICE}{words}\n".encode())
 
 
@@ -43,8 +44,9 @@ class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
         self.paths: set[str] = set()
 
     def add(self, texts: dict[str, str]) -> None:
-        """:raises ImportError: when there is another module of that name
-        """
+        """Add files as modules.
+
+        :raises ImportError: when there is another module of that name"""
         for path, text in texts.items():
             name = self.module(path)
             known = self._texts.setdefault(name, (path, text))
@@ -55,19 +57,23 @@ class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
 
     @staticmethod
     def module(path: str) -> str:
+        """Return the name of the module in a file."""
         return path.rsplit("/", 1)[-1].removesuffix(".py")
 
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
     ) -> importlib.machinery.ModuleSpec | None:
+        """Find a module among the files of the scenario."""
         if fullname not in self._texts:
             return None
         return importlib.util.spec_from_loader(fullname, self, origin=self._texts[fullname][0])
 
     def get_source(self, fullname: str) -> str:
+        """Return the text of a module."""
         return self._texts[fullname][1]
 
     def get_code(self, fullname: str) -> Any:
+        """Compile the text of a module."""
         path, text = self._texts[fullname]
         return compile(text, path, "exec", dont_inherit=True)
 
@@ -80,16 +86,18 @@ class Output(io.TextIOBase):
         self._begun = ""
 
     def writable(self) -> bool:
+        """Return true: it is for output."""
         return True
 
     def write(self, text: str) -> int:
+        """Write each complete line, and keep the rest until the turn is over."""
         *lines, self._begun = (self._begun + text).split("\n")
         for line in lines:
             self._say(line)
         return len(text)
 
     def over(self) -> None:
-        """The turn is over: what has no end of line is one."""
+        """End the turn: what has no end of line is one."""
         if self._begun:
             self._say(self._begun)
             self._begun = ""
@@ -112,6 +120,7 @@ class Watcher(threading.Thread):
         self._parent = os.getppid()
 
     def run(self) -> None:
+        """Look once per :data:`LOOK` until the process ends."""
         before = -1
         debugged = False
         while True:
@@ -132,7 +141,7 @@ class Watcher(threading.Thread):
             before = now
 
 
-def on_breakpoint(*arguments: Any, **options: Any) -> None:
+def on_breakpoint(*_arguments: Any, **_options: Any) -> None:
     """``breakpoint()``: pdb on the terminal from which RSAL was started. RSAL waits for it."""
     import pdb
 
@@ -219,7 +228,7 @@ class Worker:
         agent._tasks = []
         agent._rng = None
         agent._seed = words["seed"]
-        agent.random = random.Random(words["seed"])
+        agent.random = random.Random(words["seed"])  # noqa: S311 - of a simulation, by its seed
         agent.name = words["name"]
         agent.role = words["role"]
         agent._robot = devices.Robot(agent, words["robot"]) if words["robot"] is not None else None
