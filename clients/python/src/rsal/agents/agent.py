@@ -131,7 +131,7 @@ class Mind:
         self._link = link
 
     def believe(self, name: str, value: object) -> None:
-        """Show a belief; replaces the one of that name."""
+        """Show a belief; replace the one of that name."""
         self._link.do("believe", name, str(value))
 
     def forget(self, name: str) -> None:
@@ -348,7 +348,7 @@ class Agent:
         count: int = 1,
         within: float = 2.0,
     ) -> Pending[list[talk.Award]]:
-        """Call for proposals (FIPA Contract Net), and waits until those whose bids were accepted have ended.
+        """Call for proposals (FIPA Contract Net), and wait until those whose bids were accepted have ended.
 
         :param to: names of those called
         :param least: name of the number in the bids of which less is better, as ``cost``
@@ -358,7 +358,9 @@ class Agent:
         """
         if bool(least) == bool(most):
             raise ValueError("A call for proposals needs 'least' or 'most': the number of the bids to choose by.")
-        return talk.call(self, service, task, to, least or most, bool(least), count, within)
+        return talk.call(
+            self, service, task, to, criterion=least or most, least=bool(least), count=count, within=within
+        )
 
     def bid(
         self,
@@ -380,7 +382,7 @@ class Agent:
         self._link.do("state", str(words))
 
     def show(self, name: str, value: object) -> None:
-        """Show a value; replaces what it showed under this name."""
+        """Show a value; replace what it showed under this name."""
         self._link.do("show", name, str(value))
 
     def metric(self, name: str, value: float) -> None:

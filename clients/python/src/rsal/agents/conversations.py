@@ -128,6 +128,7 @@ def call(
     service: str,
     task: dict[str, Any],
     to: Sequence[str],
+    *,
     criterion: str,
     least: bool,
     count: int,

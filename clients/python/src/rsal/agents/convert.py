@@ -40,7 +40,7 @@ def _float(words: Any, _arrays: memoryview) -> float:
 
 
 @cache
-def decoder(kind: Any) -> Decoder:
+def decoder(kind: Any) -> Decoder:  # noqa: PLR0911 - one for each kind of annotation
     """Return what makes values of an annotation, as ``list[Pose2d]``."""
     origin = typing.get_origin(kind)
     if origin is None and isinstance(kind, type):
@@ -93,7 +93,7 @@ def _fields(kind: Any) -> list[tuple[str, str]]:
     return [(field.name, wire_name(field.name)) for field in dataclasses.fields(kind)]
 
 
-def encode(value: Any) -> Any:
+def encode(value: Any) -> Any:  # noqa: PLR0911 - one for each kind of value
     """Return a value as words. Numbers of numpy become numbers, its arrays lists."""
     if value is None or isinstance(value, (str, bool, int, float)):
         return value

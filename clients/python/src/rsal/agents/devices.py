@@ -411,7 +411,7 @@ class Actuator(Sensor[v.ActuatorState]):
     def go_to(
         self, position: float
     ) -> Goal[v.ActuatorState, v.ActuatorReached | v.ActuatorCancelled | v.ActuatorStuck]:
-        """Move to a position [m or rad] and holds it."""
+        """Move to a position [m or rad] and hold it."""
         goal: Goal[v.ActuatorState, v.ActuatorReached | v.ActuatorCancelled | v.ActuatorStuck] = self._goal(
             v.ActuatorState, self.Result, "goTo", float(position)
         )

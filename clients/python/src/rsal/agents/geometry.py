@@ -34,7 +34,8 @@ class PoseMethods:
 
     @property
     def position(self: Pose2d) -> Point2d:  # type: ignore[misc]
-        from rsal.agents.values import Point2d
+        """The position without the heading [m], in the parent frame."""
+        from rsal.agents.values import Point2d  # noqa: PLC0415 - values inherit from this module
 
         return Point2d(self.x, self.y)
 

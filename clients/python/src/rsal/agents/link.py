@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from rsal.protocol import Frames
 
-HOME = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+HOME = str(Path(__file__).absolute().parents[1])
 """The folder of this package: frames of a stack in it are none of an agent's."""
 
 Heard = Callable[[Any, memoryview], None]
@@ -43,7 +44,7 @@ class Link:
         self.asked.append([verb, place(), *arguments])
 
     def ask(self, verb: str, *arguments: Any) -> tuple[Any, memoryview]:
-        """Do what was kept, and asks.
+        """Do what was kept, and ask.
 
         :raises RsalError: when RSAL cannot answer
         """

@@ -17,7 +17,7 @@ def main() -> None:
     os.dup2(2, 1)
     frames = Frames(source, sink)
     try:
-        import numpy  # noqa: F401
+        import numpy  # noqa: F401, PLC0415 - tries whether it is there
     except ImportError:
         frames.write(
             {
@@ -27,6 +27,6 @@ def main() -> None:
             }
         )
         return
-    from rsal.agents.worker import work
+    from rsal.agents.worker import work  # noqa: PLC0415 - needs numpy
 
     work(frames)

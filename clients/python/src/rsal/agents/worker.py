@@ -15,6 +15,7 @@ import threading
 import time
 import traceback
 from collections.abc import Sequence
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -46,7 +47,8 @@ class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
     def add(self, texts: dict[str, str]) -> None:
         """Add files as modules.
 
-        :raises ImportError: when there is another module of that name"""
+        :raises ImportError: when there is another module of that name
+        """
         for path, text in texts.items():
             name = self.module(path)
             known = self._texts.setdefault(name, (path, text))
@@ -61,7 +63,10 @@ class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
         return path.rsplit("/", 1)[-1].removesuffix(".py")
 
     def find_spec(
-        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+        self,
+        fullname: str,
+        path: Sequence[str] | None,  # noqa: ARG002 - of the interface
+        target: ModuleType | None = None,  # noqa: ARG002 - of the interface
     ) -> importlib.machinery.ModuleSpec | None:
         """Find a module among the files of the scenario."""
         if fullname not in self._texts:
@@ -143,12 +148,12 @@ class Watcher(threading.Thread):
 
 def on_breakpoint(*_arguments: Any, **_options: Any) -> None:
     """``breakpoint()``: pdb on the terminal from which RSAL was started. RSAL waits for it."""
-    import pdb
+    import pdb  # noqa: PLC0415 - few runs need it
 
     notice("debug")
     try:
-        terminal_in = open("/dev/tty", encoding="utf-8")  # noqa: SIM115 - as long as the process
-        terminal_out = open("/dev/tty", "w", encoding="utf-8")  # noqa: SIM115
+        terminal_in = Path("/dev/tty").open(encoding="utf-8")  # noqa: SIM115 - as long as the process
+        terminal_out = Path("/dev/tty").open("w", encoding="utf-8")  # noqa: SIM115
     except OSError:
         raise RuntimeError("breakpoint() needs a terminal, and RSAL was started without one.") from None
     pdb.Pdb(stdin=terminal_in, stdout=terminal_out).set_trace(sys._getframe(1))
@@ -170,7 +175,7 @@ class Worker:
 
     def work(self) -> None:
         """Until RSAL ends the conversation."""
-        import numpy as np
+        import numpy as np  # noqa: PLC0415 - only its version is needed
 
         self._frames.write(
             {"protocol": VERSION, "python": platform.python_version(), "numpy": np.__version__, "order": sys.byteorder}
