@@ -12,7 +12,7 @@ from rsal import studies
 
 _FILE = Path(__file__).resolve().parents[3] / "docs" / "reference" / "python.md"
 
-_HEAD = """# Python: functions and classes
+_HEAD = """# Python: studies
 
 This page describes the functions and classes of the package `rsal` for studies. [Python](../how-to/python.md) shows how
 to install and use it. It is made of the docstrings of `rsal.studies`; `rsal.run` and the other functions are the same
