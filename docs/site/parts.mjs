@@ -47,7 +47,7 @@ export const parts = [
   {
     title: 'Reference',
     groups: [
-      { title: 'Commands', pages: docs('reference', 'command-line', 'python', 'sweeps', 'benchmarks', 'results') },
+      { title: 'Commands', pages: docs('reference', 'command-line', 'python', 'python-environments', 'sweeps', 'benchmarks', 'results') },
       {
         title: 'What is there',
         pages: docs('reference', 'agents', 'devices', 'messages', 'robot-models'),

@@ -1,4 +1,4 @@
-"""The reference of rsal.studies is made of its docstrings: RSAL_UPDATE=true writes it anew."""
+"""The reference of rsal.studies and rsal.env is made of its docstrings: RSAL_UPDATE=true writes it anew."""
 
 from __future__ import annotations
 
@@ -7,16 +7,27 @@ import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from types import ModuleType
 
-from rsal import studies
+from rsal import env, studies
 
 _FILE = Path(__file__).resolve().parents[3] / "docs" / "reference" / "python.md"
 
-_HEAD = """# Python: functions and classes
+_HEAD = """# Python: studies
 
 This page describes the functions and classes of the package `rsal` for studies. [Python](../how-to/python.md) shows how
 to install and use it. It is made of the docstrings of `rsal.studies`; `rsal.run` and the other functions are the same
 under shorter names.
+
+Lengths are in m, angles in rad (counter-clockwise), times in s, and poses in the map frame.
+"""
+
+_ENVIRONMENTS = _FILE.with_name("python-environments.md")
+
+_ENVIRONMENTS_HEAD = """# Python: learning environments
+
+This page describes `rsal.env`, which makes a scenario an environment of PettingZoo or Gymnasium. It is made of the
+docstrings. `pip install "rsal[env]"` installs what it needs.
 
 Lengths are in m, angles in rad (counter-clockwise), times in s, and poses in the map frame.
 """
@@ -28,9 +39,12 @@ def _text(documented: object) -> str:
     in_list = False
     for line in (inspect.getdoc(documented) or "").splitlines():
         item = re.match(r"    (\w+): (.*)", line)
+        parameter = re.match(r":param (\w+): (.*)", line)
         if re.fullmatch(r"(Args|Attributes|Raises):", line):
             in_list = True
             lines += [line, ""] if line != "Args:" else []
+        elif parameter:
+            lines.append(f"* `{parameter.group(1)}`: {parameter.group(2)}")
         elif in_list and item:
             lines.append(f"* `{item.group(1)}`: {item.group(2)}")
         elif in_list and line.startswith("        "):
@@ -38,7 +52,7 @@ def _text(documented: object) -> str:
         else:
             in_list = in_list and not line
             lines.append(line)
-    return re.sub(r"``([^`]*)``", r"`\1`", "\n".join(lines)).strip()
+    return re.sub(r"``([^`]*)``|:\w+:`([^`]*)`", r"`\1\2`", "\n".join(lines)).strip()
 
 
 def _parameters(function: object, *, method: bool) -> list[str]:
@@ -70,19 +84,22 @@ def _members(of: type) -> Iterator[str]:
             continue
         if inspect.isfunction(member):
             yield f"### `{_signature(f'{of.__name__}.{name}', member)}`\n\n{_text(member)}\n"
+        elif isinstance(member, staticmethod):
+            written = ", ".join(_parameters(member.__func__, method=False))
+            yield f"### `{of.__name__}.{name}({written}) -> {_result(member.__func__)}`\n\n{_text(member.__func__)}\n"
         elif isinstance(member, property) or documented is not member:
             yield f"### `{of.__name__}.{name}`\n\n{_text(documented)}\n"
 
 
-def _reference() -> str:
-    functions = sorted(name for name in studies.__all__ if inspect.isfunction(getattr(studies, name)))
-    classes = sorted(name for name in studies.__all__ if inspect.isclass(getattr(studies, name)))
-    parts = [_HEAD]
+def _reference(module: ModuleType = studies, head: str = _HEAD, prefix: str = "rsal") -> str:
+    functions = sorted(name for name in module.__all__ if inspect.isfunction(getattr(module, name)))
+    classes = sorted(name for name in module.__all__ if inspect.isclass(getattr(module, name)))
+    parts = [head]
     for name in functions:
-        function = getattr(studies, name)
-        parts.append(f"## rsal.{name}\n\n```python\n{_wrapped(name, function)}\n```\n\n{_text(function)}\n")
+        function = getattr(module, name)
+        parts.append(f"## {prefix}.{name}\n\n```python\n{_wrapped(name, function)}\n```\n\n{_text(function)}\n")
     for name in classes:
-        described = getattr(studies, name)
+        described = getattr(module, name)
         parts.append(f"## {name}\n\n{_text(described)}\n")
         parts += _members(described)
     return re.sub(r"\n{3,}", "\n\n", "\n".join(parts))
@@ -101,6 +118,13 @@ def test_it_is_that_of_the_docstrings() -> None:
     assert _FILE.read_text(encoding="utf-8") == text, (
         "Write it by: RSAL_UPDATE=true python -m pytest tests/test_reference.py"
     )
+
+
+def test_that_of_environments_is_that_of_the_docstrings() -> None:
+    text = _reference(env, _ENVIRONMENTS_HEAD, "rsal.env")
+    if os.environ.get("RSAL_UPDATE") == "true":
+        _ENVIRONMENTS.write_text(text, encoding="utf-8")
+    assert _ENVIRONMENTS.read_text(encoding="utf-8") == text
 
 
 def test_all_that_is_public_has_a_docstring() -> None:

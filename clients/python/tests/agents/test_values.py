@@ -115,7 +115,7 @@ def test_own_dataclasses_and_numpy_are_sent() -> None:
 
 
 def test_poses_compose_as_matrices_do() -> None:
-    draw = random.Random(7)
+    draw = random.Random(7)  # noqa: S311 - values of a test
 
     def matrix(pose: Pose2d) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:
         cos, sin = math.cos(pose.theta), math.sin(pose.theta)
@@ -132,7 +132,7 @@ def test_poses_compose_as_matrices_do() -> None:
 
 
 def test_a_sector_is_what_each_beam_tells() -> None:
-    draw = random.Random(7)
+    draw = random.Random(7)  # noqa: S311 - values of a test
     for _ in range(300):
         count = draw.randrange(1, 60)
         ranges = [draw.choice([math.inf, draw.uniform(0, 5)]) for _ in range(count)]

@@ -49,7 +49,7 @@ def test_what_a_coroutine_throws_comes_out_where_it_goes_on() -> None:
         await pending
         raise ValueError("so")
 
-    Task(fails(), lambda task: None).go_on()
+    Task(fails(), lambda _task: None).go_on()
     with pytest.raises(ValueError, match="so"):
         pending._end(1)
 
@@ -59,4 +59,4 @@ def test_asyncio_is_refused() -> None:
         await asyncio.sleep(0)
 
     with pytest.raises(TypeError, match=r"self\.sleep"):
-        Task(sleeps(), lambda task: None).go_on()
+        Task(sleeps(), lambda _task: None).go_on()

@@ -105,7 +105,7 @@ class Blackboard:
         self._link = link
 
     def write(self, topic: type[M] | Topic[M], name: str, content: M, lifetime: float | None = None) -> None:
-        """Writes a note, in place of the one of that name.
+        """Write a note, in place of the one of that name.
 
         :param lifetime: after which it fades [s]; ``None`` for one that stays
         """
@@ -113,6 +113,7 @@ class Blackboard:
         self._link.do("write", key, name, words, lifetime)
 
     def erase(self, topic: type[M] | Topic[M], name: str) -> None:
+        """Erase the note of that name; without one, nothing happens."""
         self._link.do("erase", _topic(topic)[0], name)
 
     def read(self, topic: type[M] | Topic[M]) -> list[Note[M]]:
@@ -130,22 +131,23 @@ class Mind:
         self._link = link
 
     def believe(self, name: str, value: object) -> None:
-        """Shows a belief; replaces the one of that name."""
+        """Show a belief; replace the one of that name."""
         self._link.do("believe", name, str(value))
 
     def forget(self, name: str) -> None:
+        """Show a belief no more."""
         self._link.do("forget", name)
 
     def pursue(self, goal: str, step: str = "") -> None:
-        """Shows a goal as pursued, with what is done for it now. Another one that was pursued waits."""
+        """Show a goal as pursued, with what is done for it now. Another one that was pursued waits."""
         self._link.do("pursue", goal, step)
 
     def reach(self, goal: str) -> None:
-        """Shows a goal as reached."""
+        """Show a goal as reached."""
         self._link.do("reached", goal)
 
     def drop(self, goal: str) -> None:
-        """Shows a goal no more."""
+        """Show a goal no more."""
         self._link.do("drop", goal)
 
 
@@ -177,7 +179,7 @@ class Agent:
         """Begins: subscribe, set timers, set off. May be ``async``."""
 
     def on_stop(self) -> Any:
-        """The run ends, or the agent is stopped. Not called after an exception."""
+        """Clean up: the run ends, or the agent is stopped. Not called after an exception."""
 
     # What it is and has
 
@@ -210,10 +212,12 @@ class Agent:
 
     @property
     def blackboard(self) -> Blackboard:
+        """The agent's own notes."""
         return Blackboard(self._link)
 
     @property
     def mind(self) -> Mind:
+        """Beliefs and goals that people see on the page."""
         return Mind(self._link)
 
     # Messages
@@ -223,7 +227,7 @@ class Agent:
     @overload
     def publish(self, topic: object) -> None: ...
     def publish(self, topic: Any, message: Any = None) -> None:
-        """Sends a message to all who listen: ``publish(PoseReport(…))``, or ``publish(BIDS, {"price": 3})``."""
+        """Send a message to all who listen: ``publish(PoseReport(…))``, or ``publish(BIDS, {"price": 3})``."""
         self._link.do("publish", *_content(topic, message))
 
     @overload
@@ -231,7 +235,7 @@ class Agent:
     @overload
     def send(self, to: str, topic: object) -> None: ...
     def send(self, to: str, topic: Any, message: Any = None) -> None:
-        """Sends a message to one agent, if it listens."""
+        """Send a message to one agent, if it listens."""
         self._link.do("send", to, *_content(topic, message))
 
     @overload
@@ -241,7 +245,7 @@ class Agent:
         self, source: Topic[M] | type[M], listener: Callable[[Message[M]], object], *, at_most_every: float = 0.0
     ) -> Subscription: ...
     def subscribe(self, source: Any, listener: Callable[[Any], object], *, at_most_every: float = 0.0) -> Subscription:
-        """Calls a method with each reading of a device, or with each message of a topic.
+        """Call a method with each reading of a device, or with each message of a topic.
 
         :param at_most_every: least time between two messages of one sender [s]
         """
@@ -261,9 +265,9 @@ class Agent:
     # Time
 
     def after(self, seconds: float, method: Callable[..., object], *arguments: Any) -> Subscription:
-        """Calls a method once."""
+        """Call a method once."""
 
-        def heard(words: Any, arrays: memoryview) -> None:
+        def heard(_words: Any, _arrays: memoryview) -> None:
             del self._link.heard[number]
             self._run(method, *arguments)
 
@@ -272,8 +276,8 @@ class Agent:
         return Subscription(self, number)
 
     def every(self, seconds: float, method: Callable[..., object], *arguments: Any) -> Subscription:
-        """Calls a method again and again, first after that time."""
-        number = self._link.listen(lambda words, arrays: self._run(method, *arguments))
+        """Call a method again and again, first after that time."""
+        number = self._link.listen(lambda _words, _arrays: self._run(method, *arguments))
         self._link.do("every", number, float(seconds))
         return Subscription(self, number)
 
@@ -297,7 +301,7 @@ class Agent:
     # Others
 
     def agents(self, role: str = "", offering: str = "") -> list[Entry]:
-        """Running agents, in the order in which they started: of a role, or those that offer a service."""
+        """Return running agents, in the order in which they started: of a role, or those that offer a service."""
         words, _ = self._link.ask("agents")
         found = [
             Entry(each["name"], each["role"], each["type"], each["robot"], each["robotRole"], each["services"])
@@ -306,17 +310,17 @@ class Agent:
         return [each for each in found if role in ("", each.role) and (not offering or offering in each.services)]
 
     def on_departure(self, listener: Callable[[str, str], object]) -> Subscription:
-        """Calls a method with the name of each agent that goes, and why.
+        """Call a method with the name of each agent that goes, and why.
 
         The reason is empty when it ended as it should.
         """
-        number = self._link.listen(lambda words, arrays: self._run(listener, words["name"], words["reason"]))
+        number = self._link.listen(lambda words, _arrays: self._run(listener, words["name"], words["reason"]))
         self._link.do("departures", number)
         return Subscription(self, number)
 
     def offer(self, service: str, **details: object) -> Subscription:
-        """Shows in the directory what it can do for others, until that is cancelled."""
-        number = self._link.listen(lambda words, arrays: None)
+        """Show in the directory what it can do for others, until that is cancelled."""
+        number = self._link.listen(lambda _words, _arrays: None)
         self._link.do("offer", number, service, {name: str(value) for name, value in details.items()})
         return Subscription(self, number)
 
@@ -344,7 +348,7 @@ class Agent:
         count: int = 1,
         within: float = 2.0,
     ) -> Pending[list[talk.Award]]:
-        """Calls for proposals (FIPA Contract Net), and waits until those whose bids were accepted have ended.
+        """Call for proposals (FIPA Contract Net), and wait until those whose bids were accepted have ended.
 
         :param to: names of those called
         :param least: name of the number in the bids of which less is better, as ``cost``
@@ -354,7 +358,9 @@ class Agent:
         """
         if bool(least) == bool(most):
             raise ValueError("A call for proposals needs 'least' or 'most': the number of the bids to choose by.")
-        return talk.call(self, service, task, to, least or most, bool(least), count, within)
+        return talk.call(
+            self, service, task, to, criterion=least or most, least=bool(least), count=count, within=within
+        )
 
     def bid(
         self,
@@ -376,11 +382,11 @@ class Agent:
         self._link.do("state", str(words))
 
     def show(self, name: str, value: object) -> None:
-        """Shows a value; replaces what it showed under this name."""
+        """Show a value; replace what it showed under this name."""
         self._link.do("show", name, str(value))
 
     def metric(self, name: str, value: float) -> None:
-        """Publishes a value for the results of the run, where a metric names it as ``metric(name)``."""
+        """Publish a value for the results of the run, where a metric names it as ``metric(name)``."""
         self._link.do("metric", name, float(value))
 
 

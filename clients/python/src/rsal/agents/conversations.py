@@ -29,6 +29,7 @@ class Result:
 
     @property
     def informed(self) -> bool:
+        """Whether the other agent answered; else ``why`` has the reason."""
         return self.how == "informed"
 
 
@@ -74,10 +75,11 @@ def _result(words: dict[str, Any]) -> Result:
 
 
 def ask(agent: Agent, to: str, service: str, question: dict[str, Any], silence: float) -> Pending[Result]:
+    """Begin a FIPA Request; see :meth:`Agent.ask`."""
     pending: Pending[Result] = Pending()
     link = agent._link
 
-    def heard(words: Any, arrays: memoryview) -> None:
+    def heard(words: Any, _arrays: memoryview) -> None:
         del link.heard[number]
         pending._end(_result(words))
 
@@ -87,7 +89,9 @@ def ask(agent: Agent, to: str, service: str, question: dict[str, Any], silence: 
 
 
 def answer(agent: Agent, service: str, method: Callable[[Question], object]) -> None:
-    def heard(words: Any, arrays: memoryview) -> None:
+    """Answer FIPA Requests; see :meth:`Agent.answer`."""
+
+    def heard(words: Any, _arrays: memoryview) -> None:
         _reply(agent, words["dialogue"], method, Question(words["sender"], words["content"]))
 
     agent._link.do("answer", agent._link.listen(heard), service)
@@ -124,17 +128,19 @@ def call(
     service: str,
     task: dict[str, Any],
     to: Sequence[str],
+    *,
     criterion: str,
     least: bool,
     count: int,
     within: float,
 ) -> Pending[list[Award]]:
+    """Begin a FIPA Contract Net as its manager; see :meth:`Agent.call`."""
     pending: Pending[list[Award]] = Pending()
     link = agent._link
     open_bids: dict[str, dict[str, Any]] = {}
     awards: list[Award] = []
 
-    def heard(words: Any, arrays: memoryview) -> None:
+    def heard(words: Any, _arrays: memoryview) -> None:
         if "chosen" in words:
             open_bids.update({each["sender"]: each["bid"] for each in words["chosen"]})
         else:
@@ -154,9 +160,10 @@ def bid(
     propose: Callable[[Call], dict[str, Any] | None],
     perform: Callable[[Question], object],
 ) -> None:
+    """Answer calls for proposals; see :meth:`Agent.bid`."""
     link = agent._link
 
-    def heard(words: Any, arrays: memoryview) -> None:
+    def heard(words: Any, _arrays: memoryview) -> None:
         if "replyBy" in words:
             try:
                 offered = propose(Call(words["sender"], words["content"], words["replyBy"]))

@@ -25,7 +25,7 @@ def wire_name(name: str) -> str:
     return re.sub(r"_(\w)", lambda found: found.group(1).upper(), name)
 
 
-def _plain(words: Any, arrays: memoryview) -> Any:
+def _plain(words: Any, _arrays: memoryview) -> Any:
     return words
 
 
@@ -35,19 +35,19 @@ def _array(words: Any, arrays: memoryview) -> Any:
     return array
 
 
-def _float(words: Any, arrays: memoryview) -> float:
+def _float(words: Any, _arrays: memoryview) -> float:
     return float(words)
 
 
 @cache
-def decoder(kind: Any) -> Decoder:
-    """What makes values of an annotation, as ``list[Pose2d]``."""
+def decoder(kind: Any) -> Decoder:  # noqa: PLR0911 - one for each kind of annotation
+    """Return what makes values of an annotation, as ``list[Pose2d]``."""
     origin = typing.get_origin(kind)
     if origin is None and isinstance(kind, type):
         if dataclasses.is_dataclass(kind):
             return _dataclass(kind)
         if issubclass(kind, enum.Enum):
-            return lambda words, arrays: kind(words)
+            return lambda words, _arrays: kind(words)
         if issubclass(kind, np.ndarray):
             return _array
         return _float if kind is float else _plain
@@ -80,7 +80,7 @@ def _dataclass(kind: Any) -> Decoder:
     fields = [(wire_name(field.name), decoder(hints[field.name])) for field in dataclasses.fields(kind)]
     if all(item in (_plain, _float) for _, item in fields):
         names = [name for name, _ in fields]
-        return lambda words, arrays: kind(*[words[name] for name in names])
+        return lambda words, _arrays: kind(*[words[name] for name in names])
 
     def make(words: Any, arrays: memoryview) -> Any:
         return kind(*[item(words[name], arrays) for name, item in fields])
@@ -93,8 +93,8 @@ def _fields(kind: Any) -> list[tuple[str, str]]:
     return [(field.name, wire_name(field.name)) for field in dataclasses.fields(kind)]
 
 
-def encode(value: Any) -> Any:
-    """A value as words. Numbers of numpy become numbers, its arrays lists."""
+def encode(value: Any) -> Any:  # noqa: PLR0911 - one for each kind of value
+    """Return a value as words. Numbers of numpy become numbers, its arrays lists."""
     if value is None or isinstance(value, (str, bool, int, float)):
         return value
     if isinstance(value, enum.Enum):

@@ -63,7 +63,7 @@ class Goal(Pending[R], Generic[F, R]):
             self._agent._link.do("cancelGoal", self._number)
 
     def on_feedback(self, listener: Callable[[Stamped[F]], object]) -> None:
-        """Calls a method with each report of progress."""
+        """Call a method with each report of progress."""
         decode = decoder(self._feedback)
         run = self._agent._run
 
@@ -129,7 +129,7 @@ class Sensor(Device, Generic[T]):
         return Stamped(words["time"], words["frame"], decoder(self.reading)(words["value"], arrays))
 
     def subscribe(self, listener: Callable[[Stamped[T]], object]) -> Subscription:
-        """Calls a method with each new reading. In real time, a slow agent gets the newest one."""
+        """Call a method with each new reading. In real time, a slow agent gets the newest one."""
         decode = decoder(self.reading)
         run = self._agent._run
 
@@ -148,7 +148,7 @@ class DriveBase(Sensor[v.Odometry]):
     reading = v.Odometry
 
     def command(self, forward: float = 0.0, turn: float = 0.0, left: float = 0.0) -> None:
-        """Moves at this velocity until the next command.
+        """Move at this velocity until the next command.
 
         :param forward: ahead [m/s]
         :param turn: counter-clockwise [rad/s]
@@ -159,6 +159,7 @@ class DriveBase(Sensor[v.Odometry]):
         self._do("command", v.Twist2d(float(forward), float(left), float(turn)))
 
     def stop(self) -> None:
+        """Command a velocity of 0."""
         self.command()
 
     def enable(self, enabled: bool) -> None:
@@ -167,10 +168,11 @@ class DriveBase(Sensor[v.Odometry]):
 
     @property
     def enabled(self) -> bool:
+        """Whether the motors are on."""
         return bool(self._ask(bool, "enabled"))
 
     def reset_odometry(self, odom_from_base: v.Pose2d) -> None:
-        """Sets the pose in the odometry. The robot does not move."""
+        """Set the pose in the odometry. The robot does not move."""
         self._do("resetOdometry", odom_from_base)
 
 
@@ -195,17 +197,19 @@ class Localizer(Sensor[v.PoseEstimate]):
     reading = v.PoseEstimate
 
     def relocalize(self, belief: v.PoseEstimate) -> Pending[None]:
-        """Starts again from an estimate; ends when the next reading follows it."""
+        """Start again from an estimate; ends when the next reading follows it."""
         found: Pending[None] = self._later(Pending(), None, "relocalize", belief)
         return found
 
     @property
     def given_map(self) -> v.OccupancyGrid | None:
+        """The map it localizes on; ``None`` without one."""
         found: v.OccupancyGrid | None = self._ask(v.OccupancyGrid | None, "givenMap")
         return found
 
     @property
     def particles(self) -> v.ParticleCloud | None:
+        """Its particles in the map frame; ``None`` if it has none."""
         words, arrays = self._agent._link.ask("call", self._index, "particles", [])
         return None if words is None else decoder(v.ParticleCloud)(words["value"], arrays)
 
@@ -239,10 +243,12 @@ class Navigator(Device):
         self._do("pause")
 
     def resume(self) -> None:
+        """Resume after a pause."""
         self._do("resume")
 
     @property
     def paused(self) -> bool:
+        """Whether it is paused."""
         return bool(self._ask(bool, "paused"))
 
     @property
@@ -259,11 +265,13 @@ class Navigator(Device):
 
     @property
     def local_path(self) -> v.Path2d:
+        """The path that the controller predicts [m]; empty without a goal."""
         found: v.Path2d = self._ask(v.Path2d, "localPath")
         return found
 
     @property
     def cost_map(self) -> v.OccupancyGrid | None:
+        """The costs by which it plans; ``None`` if it has none."""
         found: v.OccupancyGrid | None = self._ask(v.OccupancyGrid | None, "costMap")
         return found
 
@@ -277,6 +285,7 @@ class Planner(Device):
     NoPath = v.PlannerNoPath
 
     def plan(self, map_from_start: v.Pose2d, map_from_goal: v.Pose2d) -> Pending[v.PlannerFound | v.PlannerNoPath]:
+        """Plan a path between two poses in the map frame."""
         found: Pending[v.PlannerFound | v.PlannerNoPath] = self._later(
             Pending(), v.PlannerFound | v.PlannerNoPath, "plan", map_from_start, map_from_goal
         )
@@ -305,6 +314,7 @@ class PlaceFinder(Device):
         clearance: float,
         objective: v.PlaceObjective = v.PlaceObjective.EVENLY,
     ) -> Pending[v.PlaceFinderFound | v.PlaceFinderNone]:
+        """Find places at least ``clearance`` [m] from walls, in the map frame, that a robot can reach."""
         found: Pending[v.PlaceFinderFound | v.PlaceFinderNone] = self._later(
             Pending(),
             v.PlaceFinderFound | v.PlaceFinderNone,
@@ -338,6 +348,7 @@ class Docking(Device):
         return goal
 
     def undock(self) -> Goal[v.DockingProgress, v.DockingReached | v.DockingCancelled | v.DockingFailed]:
+        """Drive off the dock."""
         goal: Goal[v.DockingProgress, v.DockingReached | v.DockingCancelled | v.DockingFailed] = self._goal(
             v.DockingProgress, self.Result, "undock"
         )
@@ -362,21 +373,27 @@ class Gripper(Sensor[v.GripperState]):
         return goal
 
     def open(self) -> Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck]:
+        """Open the paddles."""
         return self._move("open")
 
     def close(self) -> Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck]:
+        """Close the paddles."""
         return self._move("close")
 
     def lift(self) -> Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck]:
+        """Raise the lift."""
         return self._move("lift")
 
     def lower(self) -> Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck]:
+        """Lower the lift."""
         return self._move("lower")
 
     def close_and_lift(self) -> Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck]:
+        """Close the paddles, then raise the lift."""
         return self._move("closeAndLift")
 
     def lower_and_open(self) -> Goal[v.GripperState, v.GripperReached | v.GripperCancelled | v.GripperStuck]:
+        """Lower the lift, then open the paddles."""
         return self._move("lowerAndOpen")
 
 
@@ -394,20 +411,21 @@ class Actuator(Sensor[v.ActuatorState]):
     def go_to(
         self, position: float
     ) -> Goal[v.ActuatorState, v.ActuatorReached | v.ActuatorCancelled | v.ActuatorStuck]:
-        """Moves to a position [m or rad] and holds it."""
+        """Move to a position [m or rad] and hold it."""
         goal: Goal[v.ActuatorState, v.ActuatorReached | v.ActuatorCancelled | v.ActuatorStuck] = self._goal(
             v.ActuatorState, self.Result, "goTo", float(position)
         )
         return goal
 
     def home(self) -> Goal[v.ActuatorState, v.ActuatorReached | v.ActuatorCancelled | v.ActuatorStuck]:
+        """Move to the home position."""
         goal: Goal[v.ActuatorState, v.ActuatorReached | v.ActuatorCancelled | v.ActuatorStuck] = self._goal(
             v.ActuatorState, self.Result, "home"
         )
         return goal
 
     def command(self, speed: float) -> None:
-        """Moves at a speed [m/s or rad/s], at most for 0.5 s without a new command."""
+        """Move at a speed [m/s or rad/s], at most for 0.5 s without a new command."""
         self._do("command", float(speed))
 
 
@@ -422,9 +440,11 @@ class Light(Sensor[v.LightState]):
         self._do("show", signal)
 
     def on(self) -> None:
+        """Switch the light on."""
         self._do("on")
 
     def off(self) -> None:
+        """Switch the light off."""
         self._do("off")
 
 
@@ -436,6 +456,7 @@ class Mapper(Sensor[v.OccupancyGrid]):
 
     @property
     def complete(self) -> bool:
+        """Whether the map is complete."""
         return bool(self._ask(bool, "isComplete"))
 
     @property
@@ -445,16 +466,20 @@ class Mapper(Sensor[v.OccupancyGrid]):
         return found
 
     def leave_alone(self, end: v.End) -> None:
+        """Leave a frontier out of the exploration."""
         self._do("leaveAlone", end)
 
     def pause(self) -> None:
+        """Pause."""
         self._do("pause")
 
     def resume(self) -> None:
+        """Resume after a pause."""
         self._do("resume")
 
     @property
     def paused(self) -> bool:
+        """Whether it is paused."""
         return bool(self._ask(bool, "paused"))
 
 
@@ -522,12 +547,12 @@ class Simulation(Device):
         return found
 
     def truth(self, entity: str) -> v.Pose2d | None:
-        """The true pose of a thing, in the map frame; ``None`` if there is none of that name."""
+        """Return the true pose of a thing [m, rad], in the map frame; ``None`` if there is none of that name."""
         found: v.Pose2d | None = self._ask(v.Pose2d | None, "truth", entity)
         return found
 
     def place(self, entity: str, map_from_entity: v.Pose2d) -> v.Placed | v.Refused:
-        """Moves a thing to a pose, at which it stands still."""
+        """Move a thing to a pose, at which it stands still."""
         found: v.Placed | v.Refused = self._ask(v.Placed | v.Refused, "place", entity, map_from_entity)
         return found
 
@@ -559,7 +584,7 @@ class Robot:
         ]
 
     def find(self, kind: type[D], name: str = "") -> D | None:
-        """The first device of a type, or the one of a name; ``None`` when there is none."""
+        """Return the first device of a type, or the one of a name; ``None`` when there is none."""
         for device in self.devices:
             if isinstance(device, kind) and name in ("", device.name):
                 return device
@@ -578,40 +603,50 @@ class Robot:
 
     @property
     def base(self) -> DriveBase:
+        """The first drive base; ``LookupError`` if the robot has none."""
         return self.require(DriveBase)
 
     @property
     def laser(self) -> LaserScanner:
+        """The first device of this type; ``LookupError`` if the robot has none."""
         return self.require(LaserScanner)
 
     @property
     def sonar(self) -> SonarArray:
+        """The first device of this type; ``LookupError`` if the robot has none."""
         return self.require(SonarArray)
 
     @property
     def localizer(self) -> Localizer:
+        """The first device of this type; ``LookupError`` if the robot has none."""
         return self.require(Localizer)
 
     @property
     def navigator(self) -> Navigator:
+        """The first device of this type; ``LookupError`` if the robot has none."""
         return self.require(Navigator)
 
     @property
     def planner(self) -> Planner:
+        """The first device of this type; ``LookupError`` if the robot has none."""
         return self.require(Planner)
 
     @property
     def gripper(self) -> Gripper:
+        """The first device of this type; ``LookupError`` if the robot has none."""
         return self.require(Gripper)
 
     @property
     def light(self) -> Light:
+        """The first device of this type; ``LookupError`` if the robot has none."""
         return self.require(Light)
 
     @property
     def camera(self) -> Camera:
+        """The first device of this type; ``LookupError`` if the robot has none."""
         return self.require(Camera)
 
     @property
     def battery(self) -> Battery:
+        """The first device of this type; ``LookupError`` if the robot has none."""
         return self.require(Battery)

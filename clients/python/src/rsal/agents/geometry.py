@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def wrap(angle: float) -> float:
-    """The same angle in [-π, π) [rad]."""
+    """Return the same angle in [-π, π) [rad]."""
     return (angle + math.pi) % (2 * math.pi) - math.pi
 
 
@@ -34,7 +34,8 @@ class PoseMethods:
 
     @property
     def position(self: Pose2d) -> Point2d:  # type: ignore[misc]
-        from rsal.agents.values import Point2d
+        """The position without the heading [m], in the parent frame."""
+        from rsal.agents.values import Point2d  # noqa: PLC0415 - values inherit from this module
 
         return Point2d(self.x, self.y)
 
@@ -87,6 +88,6 @@ class ScanMethods:
         return self.ranges[(bearings >= right) & (bearings <= left)]
 
     def nearest(self: LaserScan, right: float = -math.pi, left: float = math.pi) -> float:  # type: ignore[misc]
-        """The least range in a sector [m]; ``inf`` where nothing is."""
+        """Return the least range in a sector [m]; ``inf`` where nothing is."""
         ranges = self.sector(right, left)
         return float(ranges.min()) if len(ranges) else math.inf

@@ -20,11 +20,12 @@ class _InvalidFileError(Exception):
 
 
 def problem(line: int, column: int, message: str, remedy: str = "") -> dict[str, Any]:
+    """Return a problem of a file as RSAL shows it; lines and columns count from 1."""
     return {"line": line, "column": column, "message": message, "remedy": remedy}
 
 
 def inspect(text: str, name: str, wanted: str) -> dict[str, Any]:
-    """What there is to know of an agent: ``class``, ``description``, ``parameters`` and ``needs``; or ``problems``.
+    """Return what a file says of an agent: ``class``, ``description``, ``parameters`` and ``needs``; or ``problems``.
 
     :param name: of the file
     :param wanted: name of the class; empty when there is one only
@@ -69,7 +70,7 @@ def _bases(each: ast.ClassDef) -> list[str]:
 
 
 def _line_of(agent: ast.ClassDef, classes: dict[str, ast.ClassDef]) -> list[ast.ClassDef]:
-    """The classes of the file that it inherits from, the farthest first, and itself."""
+    """Return the classes of the file that it inherits from, the farthest first, and itself."""
     line: list[ast.ClassDef] = []
 
     def add(each: ast.ClassDef) -> None:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from rsal.protocol import Frames
 
-HOME = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+HOME = str(Path(__file__).absolute().parents[1])
 """The folder of this package: frames of a stack in it are none of an agent's."""
 
 Heard = Callable[[Any, memoryview], None]
@@ -33,16 +34,17 @@ class Link:
         self.ended = False
 
     def listen(self, heard: Heard) -> int:
-        """A new number, under which something is heard."""
+        """Return a new number, under which something is heard."""
         self._last += 1
         self.heard[self._last] = heard
         return self._last
 
     def do(self, verb: str, *arguments: Any) -> None:
+        """Keep a request without an answer until the end of the turn."""
         self.asked.append([verb, place(), *arguments])
 
     def ask(self, verb: str, *arguments: Any) -> tuple[Any, memoryview]:
-        """Does what was kept, and asks.
+        """Do what was kept, and ask.
 
         :raises RsalError: when RSAL cannot answer
         """
@@ -57,6 +59,7 @@ class Link:
         return words["value"], arrays
 
     def cancel(self, number: int) -> None:
+        """End the callbacks of a number. Cancelling twice does nothing."""
         if self.heard.pop(number, None) is not None:
             self.do("cancel", number)
 

@@ -36,14 +36,16 @@ class Parameter:
 def Param(  # noqa: N802 - declares, as a type would
     default: Any = REQUIRED,
     *,
-    min: float | None = None,
-    max: float | None = None,
-    unit: str = "",
-    choices: list[str] | None = None,
-    robots: bool = False,
-    description: str = "",
+    min: float | None = None,  # noqa: A002, ARG001 - read from the file
+    max: float | None = None,  # noqa: A002, ARG001 - read from the file
+    unit: str = "",  # noqa: ARG001 - read from the file
+    choices: list[str] | None = None,  # noqa: ARG001 - read from the file
+    robots: bool = False,  # noqa: ARG001 - read from the file
+    description: str = "",  # noqa: ARG001 - read from the file
 ) -> Any:
-    """Declares a parameter as a class attribute with an annotation: ``speed: float = Param(0.4, min=0, unit="m/s")``.
+    """Declare a parameter as a class attribute with an annotation.
+
+    An example is ``speed: float = Param(0.4, min=0, unit="m/s")``.
 
     All arguments are literals, since RSAL reads them without running the file. The annotation is ``float``, ``int``,
     ``str`` or ``bool``. Without a default, a scenario must give the value.

@@ -9,7 +9,7 @@ from rsal.protocol import VERSION, Frames
 
 
 def main() -> None:
-    """Takes the pipes for frames: what else is read finds nothing, what else is written goes to stderr."""
+    """Take the pipes for frames: what else is read finds nothing, what else is written goes to stderr."""
     source = os.fdopen(os.dup(0), "rb")
     sink = os.fdopen(os.dup(1), "wb", buffering=0)
     nothing = os.open(os.devnull, os.O_RDONLY)
@@ -17,7 +17,7 @@ def main() -> None:
     os.dup2(2, 1)
     frames = Frames(source, sink)
     try:
-        import numpy  # noqa: F401
+        import numpy  # noqa: F401, PLC0415 - tries whether it is there
     except ImportError:
         frames.write(
             {
@@ -27,6 +27,6 @@ def main() -> None:
             }
         )
         return
-    from rsal.agents.worker import work
+    from rsal.agents.worker import work  # noqa: PLC0415 - needs numpy
 
     work(frames)

@@ -18,6 +18,7 @@ class Pending(Generic[T]):
 
     @property
     def done(self) -> bool:
+        """Whether the result is there."""
         return self._done
 
     @property
@@ -27,7 +28,7 @@ class Pending(Generic[T]):
         return value
 
     def on_result(self, listener: Callable[[T], object]) -> None:
-        """Calls a method with the result, when it comes; at once when it has come."""
+        """Call a method with the result, when it comes; at once when it has come."""
         if self._done:
             listener(self._value)
         else:
@@ -55,6 +56,7 @@ class Task:
         self._over = over
 
     def go_on(self, value: Any = None) -> None:
+        """Run the coroutine until it waits again, with the value that it waited for."""
         try:
             waited = self._coroutine.send(value)
             while not isinstance(waited, Pending):
@@ -70,4 +72,5 @@ class Task:
         waited.on_result(self.go_on)
 
     def close(self) -> None:
+        """End the coroutine early; its ``finally`` blocks run."""
         self._coroutine.close()

@@ -15,6 +15,7 @@ import threading
 import time
 import traceback
 from collections.abc import Sequence
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -32,6 +33,7 @@ LOOK = 1.0
 
 
 def notice(words: str) -> None:
+    """Write a line for RSAL on stderr."""
     os.write(2, f"{NOTICE}{words}\n".encode())
 
 
@@ -43,7 +45,9 @@ class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
         self.paths: set[str] = set()
 
     def add(self, texts: dict[str, str]) -> None:
-        """:raises ImportError: when there is another module of that name
+        """Add files as modules.
+
+        :raises ImportError: when there is another module of that name
         """
         for path, text in texts.items():
             name = self.module(path)
@@ -55,19 +59,26 @@ class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
 
     @staticmethod
     def module(path: str) -> str:
+        """Return the name of the module in a file."""
         return path.rsplit("/", 1)[-1].removesuffix(".py")
 
     def find_spec(
-        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+        self,
+        fullname: str,
+        path: Sequence[str] | None,  # noqa: ARG002 - of the interface
+        target: ModuleType | None = None,  # noqa: ARG002 - of the interface
     ) -> importlib.machinery.ModuleSpec | None:
+        """Find a module among the files of the scenario."""
         if fullname not in self._texts:
             return None
         return importlib.util.spec_from_loader(fullname, self, origin=self._texts[fullname][0])
 
     def get_source(self, fullname: str) -> str:
+        """Return the text of a module."""
         return self._texts[fullname][1]
 
     def get_code(self, fullname: str) -> Any:
+        """Compile the text of a module."""
         path, text = self._texts[fullname]
         return compile(text, path, "exec", dont_inherit=True)
 
@@ -80,16 +91,18 @@ class Output(io.TextIOBase):
         self._begun = ""
 
     def writable(self) -> bool:
+        """Return true: it is for output."""
         return True
 
     def write(self, text: str) -> int:
+        """Write each complete line, and keep the rest until the turn is over."""
         *lines, self._begun = (self._begun + text).split("\n")
         for line in lines:
             self._say(line)
         return len(text)
 
     def over(self) -> None:
-        """The turn is over: what has no end of line is one."""
+        """End the turn: what has no end of line is one."""
         if self._begun:
             self._say(self._begun)
             self._begun = ""
@@ -112,6 +125,7 @@ class Watcher(threading.Thread):
         self._parent = os.getppid()
 
     def run(self) -> None:
+        """Look once per :data:`LOOK` until the process ends."""
         before = -1
         debugged = False
         while True:
@@ -132,14 +146,14 @@ class Watcher(threading.Thread):
             before = now
 
 
-def on_breakpoint(*arguments: Any, **options: Any) -> None:
+def on_breakpoint(*_arguments: Any, **_options: Any) -> None:
     """``breakpoint()``: pdb on the terminal from which RSAL was started. RSAL waits for it."""
-    import pdb
+    import pdb  # noqa: PLC0415 - few runs need it
 
     notice("debug")
     try:
-        terminal_in = open("/dev/tty", encoding="utf-8")  # noqa: SIM115 - as long as the process
-        terminal_out = open("/dev/tty", "w", encoding="utf-8")  # noqa: SIM115
+        terminal_in = Path("/dev/tty").open(encoding="utf-8")  # noqa: SIM115 - as long as the process
+        terminal_out = Path("/dev/tty").open("w", encoding="utf-8")  # noqa: SIM115
     except OSError:
         raise RuntimeError("breakpoint() needs a terminal, and RSAL was started without one.") from None
     pdb.Pdb(stdin=terminal_in, stdout=terminal_out).set_trace(sys._getframe(1))
@@ -161,7 +175,7 @@ class Worker:
 
     def work(self) -> None:
         """Until RSAL ends the conversation."""
-        import numpy as np
+        import numpy as np  # noqa: PLC0415 - only its version is needed
 
         self._frames.write(
             {"protocol": VERSION, "python": platform.python_version(), "numpy": np.__version__, "order": sys.byteorder}
@@ -219,7 +233,7 @@ class Worker:
         agent._tasks = []
         agent._rng = None
         agent._seed = words["seed"]
-        agent.random = random.Random(words["seed"])
+        agent.random = random.Random(words["seed"])  # noqa: S311 - of a simulation, by its seed
         agent.name = words["name"]
         agent.role = words["role"]
         agent._robot = devices.Robot(agent, words["robot"]) if words["robot"] is not None else None
