@@ -22,7 +22,7 @@ export const parts = [
   {
     title: 'How to',
     groups: [
-      { title: 'Install, operate, teach', pages: docs('how-to', 'install', 'python', 'network', 'lab', 'troubleshooting') },
+      { title: 'Install, operate, teach', pages: docs('how-to', 'install', 'python', 'learning', 'network', 'lab', 'troubleshooting') },
       {
         title: 'Robots',
         pages: docs('how-to', 'localization', 'planning', 'avoidance', 'own-controller', 'recoveries', 'traffic', 'mapping', 'player', 'ros2', 'gazebo', 'another-robot-system', 'another-bridge', 'another-world-format', 'another-log-format'),

@@ -265,13 +265,13 @@ class Navigator(Device):
 
     @property
     def local_path(self) -> v.Path2d:
-        """The path that the controller predicts [m]; empty without a goal."""
+        """The path that the controller predicts for the next seconds, in the map frame [m]; empty without a goal."""
         found: v.Path2d = self._ask(v.Path2d, "localPath")
         return found
 
     @property
     def cost_map(self) -> v.OccupancyGrid | None:
-        """The costs by which it plans; ``None`` if it has none."""
+        """The costs by which it plans; ``None`` if it plans without a map."""
         found: v.OccupancyGrid | None = self._ask(v.OccupancyGrid | None, "costMap")
         return found
 
@@ -314,7 +314,7 @@ class PlaceFinder(Device):
         clearance: float,
         objective: v.PlaceObjective = v.PlaceObjective.EVENLY,
     ) -> Pending[v.PlaceFinderFound | v.PlaceFinderNone]:
-        """Find places at least ``clearance`` [m] from walls, in the map frame, that a robot can reach."""
+        """Find places in the map frame that a robot can reach, ``clearance`` [m] from all cells that are not free."""
         found: Pending[v.PlaceFinderFound | v.PlaceFinderNone] = self._later(
             Pending(),
             v.PlaceFinderFound | v.PlaceFinderNone,
@@ -466,7 +466,7 @@ class Mapper(Sensor[v.OccupancyGrid]):
         return found
 
     def leave_alone(self, end: v.End) -> None:
-        """Leave a frontier out of the exploration."""
+        """Leave a frontier out of the exploration for a while."""
         self._do("leaveAlone", end)
 
     def pause(self) -> None:

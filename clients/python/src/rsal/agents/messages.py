@@ -90,8 +90,9 @@ class Caught:
 
 @dataclass(frozen=True, slots=True)
 class ChargerTaken:
-    """A robot drives to a charger or is charged there. It repeats this; after ten seconds without it, the charger
-    counts as free.
+    """A robot drives to a charger or is charged there.
+
+    It repeats this; after ten seconds without it, the charger counts as free.
 
     :param robot: its id
     :param map_from_charger: where the charger is, in the map frame [m]
@@ -119,8 +120,10 @@ class Chase:
 
 @dataclass(frozen=True, slots=True)
 class CollectGoal:
-    """A thing lies at a place and is to be collected. The agent that knows the thing repeats this every few
-    seconds; without this message for longer, agents forget the thing.
+    """A thing lies at a place and is to be collected.
+
+    The agent that knows the thing repeats this every few seconds; without this message for longer, agents
+    forget the thing.
 
     :param color: its color, as cameras see it
     :param map_from_thing: where it lies, in the map frame [m]
@@ -184,6 +187,8 @@ class GoalReached:
 
 
 class HelloKind(enum.Enum):
+    """As `Hello.Kind` in Java."""
+
     HELLO = "HELLO"
     PING = "PING"
     PONG = "PONG"
@@ -341,8 +346,9 @@ class Slot:
 
 @dataclass(frozen=True, slots=True)
 class FormationSlots:
-    """Where the robots of a formation should be. This is repeated as the formation moves, so that one lost message
-    has no effect.
+    """Where the robots of a formation should be.
+
+    This is repeated as the formation moves, so that one lost message has no effect.
 
     :param shape: for people: `wedge`, `column`
     :param formed: whether all robots have been at their places since these were last assigned
@@ -388,8 +394,10 @@ class Text:
 
 @dataclass(frozen=True, slots=True)
 class VictimFound:
-    """A robot has seen a victim. It repeats this every few seconds until it hears that the victim was helped
-    (VictimHelped), and when it has measured the position more exactly.
+    """A robot has seen a victim.
+
+    It repeats this every few seconds until it hears that the victim was helped (VictimHelped), and when it has
+    measured the position more exactly.
 
     :param robot: its id
     :param victim: number of the victim's marker

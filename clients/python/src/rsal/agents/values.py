@@ -41,6 +41,8 @@ class HealthLost:
 
 
 class Joint(enum.Enum):
+    """As `ActuatorState.Joint` in Java."""
+
     LINEAR = "LINEAR"
     ROTATIONAL = "ROTATIONAL"
 
@@ -54,6 +56,8 @@ class Interval:
 
 
 class Motion(enum.Enum):
+    """As `ActuatorState.Motion` in Java."""
+
     IDLE = "IDLE"
     MOVING = "MOVING"
     STALLED = "STALLED"
@@ -61,8 +65,9 @@ class Motion(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class ActuatorState:
-    """State of a joint (an element of `sensor_msgs/JointState`, an actuator of Player's `actarray`). Lengths in m
-    when the joint is linear, angles in rad when it is rotational.
+    """State of a joint (an element of `sensor_msgs/JointState`, an actuator of Player's `actarray`).
+
+    Lengths in m when the joint is linear, angles in rad when it is rotational.
 
     :param joint: whether it is linear or rotational
     :param position: within its limits [m or rad]
@@ -80,6 +85,8 @@ class ActuatorState:
 
 @dataclass(frozen=True, slots=True)
 class ActuatorReached:
+    """As `Actuator.Result.Reached` in Java."""
+
     _type: ClassVar[str] = "Reached"
 
     position: float
@@ -87,6 +94,8 @@ class ActuatorReached:
 
 @dataclass(frozen=True, slots=True)
 class ActuatorCancelled:
+    """As `Actuator.Result.Cancelled` in Java."""
+
     _type: ClassVar[str] = "Cancelled"
 
 
@@ -101,6 +110,8 @@ class ActuatorStuck:
 
 
 class Charging(enum.Enum):
+    """As `BatteryState.Charging` in Java."""
+
     UNKNOWN = "UNKNOWN"
     CHARGING = "CHARGING"
     DISCHARGING = "DISCHARGING"
@@ -114,7 +125,7 @@ class BatteryState:
 
     :param charge: energy that is left [J]; +∞ when it is never empty
     :param capacity: energy of the full battery [J]; +∞ when it is never empty
-    :param level: share of the capacity that is left, 0–1
+    :param level: share of the capacity that is left, 0-1
     :param power: charging power less consumed power [W]; negative while it discharges
     :param voltage: [V]
     :param charging: whether it is charged
@@ -130,9 +141,10 @@ class BatteryState:
 
 @dataclass(frozen=True, slots=True)
 class Pose2d(PoseMethods):
-    """Where a frame is, seen from its parent: x, y [m] and heading [rad] in [-π, π). Variables name both frames,
-    parent first (`mapFromBase`), so that a chain checks itself by eye: `mapFromLaser =
-    mapFromBase.compose(baseFromLaser)`.
+    """Where a frame is, seen from its parent.
+
+    X, y [m] and heading [rad] in [-π, π). Variables name both frames, parent first (`mapFromBase`), so that a
+    chain checks itself by eye: `mapFromLaser = mapFromBase.compose(baseFromLaser)`.
     """
 
     x: float
@@ -142,7 +154,7 @@ class Pose2d(PoseMethods):
 
 @dataclass(frozen=True, slots=True)
 class Rgb:
-    """A color, each part 0–255."""
+    """A color, each part 0-255."""
 
     red: int
     green: int
@@ -176,8 +188,10 @@ class Blob:
 
 @dataclass(frozen=True, slots=True)
 class Blobs:
-    """Patches of color in one image (Player `blobfinder`; ROS has no message for them). Columns count from the
-    left, rows from the top; neighboring columns of an image differ by the same angle, as in Stage.
+    """Patches of color in one image (Player `blobfinder`.
+
+    ROS has no message for them). Columns count from the left, rows from the top; neighboring columns of an
+    image differ by the same angle, as in Stage.
 
     :param base_from_camera: where the camera is mounted, looking along its x axis
     :param width: of the image [px]
@@ -207,9 +221,10 @@ class BumperState:
 
 @dataclass(frozen=True, eq=False)
 class CameraImage:
-    """An image of a camera without distortion (a pinhole), as `sensor_msgs/Image` in `rgb8` and `16UC1` and
-    `sensor_msgs/CameraInfo` of ROS. Its optical axis goes through the middle of the image. Rows come from the top,
-    columns from the left.
+    """An image of a camera without distortion (a pinhole).
+
+    As `sensor_msgs/Image` in `rgb8` and `16UC1`, and `sensor_msgs/CameraInfo` of ROS. Its optical axis goes
+    through the middle of the image. Rows come from the top, columns from the left.
 
     :param width: number of columns [px]
     :param height: number of rows [px]
@@ -228,6 +243,7 @@ class CameraImage:
 
 class DockingStage(enum.Enum):
     """What it does about a goal."""
+
     BEGINNING = "BEGINNING"
     APPROACHING = "APPROACHING"
     DETECTING = "DETECTING"
@@ -238,7 +254,9 @@ class DockingStage(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class DockingProgress:
-    """:param retries: how many times it has tried again
+    """How far a goal has got.
+
+    :param retries: how many times it has tried again
     :param working: since the goal was given
     """
 
@@ -256,6 +274,8 @@ class DockingReached:
 
 @dataclass(frozen=True, slots=True)
 class DockingCancelled:
+    """As `Docking.Result.Cancelled` in Java."""
+
     _type: ClassVar[str] = "Cancelled"
 
     why: str
@@ -323,8 +343,9 @@ class Fiducials:
 
 @dataclass(frozen=True, slots=True)
 class GnssFix:
-    """The measured position of a receiver: in the map, whose x axis points east, and on Earth, as
-    `sensor_msgs/NavSatFix` of ROS.
+    """The measured position of a receiver.
+
+    In the map, whose x axis points east, and on Earth, as `sensor_msgs/NavSatFix` of ROS.
 
     :param x: to the east [m]
     :param y: to the north [m]
@@ -341,6 +362,8 @@ class GnssFix:
 
 
 class Paddles(enum.Enum):
+    """As `GripperState.Paddles` in Java."""
+
     OPEN = "OPEN"
     CLOSED = "CLOSED"
     OPENING = "OPENING"
@@ -349,6 +372,8 @@ class Paddles(enum.Enum):
 
 
 class Lift(enum.Enum):
+    """As `GripperState.Lift` in Java."""
+
     DOWN = "DOWN"
     UP = "UP"
     RISING = "RISING"
@@ -384,6 +409,8 @@ class GripperState:
 
 @dataclass(frozen=True, slots=True)
 class GripperReached:
+    """As `Gripper.Result.Reached` in Java."""
+
     _type: ClassVar[str] = "Reached"
 
     state: GripperState
@@ -391,6 +418,8 @@ class GripperReached:
 
 @dataclass(frozen=True, slots=True)
 class GripperCancelled:
+    """As `Gripper.Result.Cancelled` in Java."""
+
     _type: ClassVar[str] = "Cancelled"
 
 
@@ -406,8 +435,9 @@ class GripperStuck:
 
 @dataclass(frozen=True, slots=True)
 class ImuReading:
-    """A measurement of an IMU in the plane (`sensor_msgs/Imu` of ROS). It does not contain gravity, because robots
-    stand level.
+    """A measurement of an IMU in the plane (`sensor_msgs/Imu` of ROS).
+
+    It does not contain gravity, because robots stand level.
 
     :param orientation: heading, counter-clockwise from east (REP 103) [rad]; without a compass, the start
         heading plus the integrated rotation, so that it drifts
@@ -424,9 +454,10 @@ class ImuReading:
 
 @dataclass(frozen=True, eq=False)
 class LaserScan(ScanMethods):
-    """One sweep of a planar laser scanner, counter-clockwise (`sensor_msgs/LaserScan`). Beam `i` points to
-    `angleMin + i · angleIncrement` [rad] in the laser's frame. Ranges [m] after REP 117 ([Rep117]): −∞ too
-    close to measure, +∞ no echo, NaN invalid.
+    """One sweep of a planar laser scanner, counter-clockwise (`sensor_msgs/LaserScan`).
+
+    Beam `i` points to `angleMin + i · angleIncrement` [rad] in the laser's frame. Ranges [m] after REP 117
+    ([Rep117]): -∞ too close to measure, +∞ no echo, NaN invalid.
 
     :param base_from_laser: pose of the scanner in the base frame
     :param angle_min: direction of the first beam, in the laser's frame [rad]
@@ -449,7 +480,7 @@ class Signal:
     """What a light may be told: to shine for a share of each period, from its begin.
 
     :param period: from one flash to the next
-    :param duty_cycle: share of the period in which it shines, 0–1
+    :param duty_cycle: share of the period in which it shines, 0-1
     """
 
     period: float
@@ -472,7 +503,7 @@ class LightState:
 
 @dataclass(frozen=True, slots=True)
 class Covariance2d:
-    """Symmetric 3×3 covariance of a pose: x, y [m²], heading [rad²] and their products."""
+    """Symmetric 3x3 covariance of a pose: x, y [m²], heading [rad²] and their products."""
 
     xx: float
     xy: float
@@ -484,7 +515,7 @@ class Covariance2d:
 
 @dataclass(frozen=True, slots=True)
 class Hypothesis:
-    """:param weight: share of the belief, 0–1"""
+    """:param weight: share of the belief, 0-1"""
 
     weight: float
     map_from_base: Pose2d
@@ -493,6 +524,7 @@ class Hypothesis:
 
 class Quality(enum.Enum):
     """How well a robot is localized."""
+
     LOST = "LOST"
     AMBIGUOUS = "AMBIGUOUS"
     LOCALIZED = "LOCALIZED"
@@ -500,13 +532,14 @@ class Quality(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class PoseEstimate:
-    """Where a localizer believes the robot to be (`geometry_msgs/PoseWithCovarianceStamped`, with more than one
-    hypothesis).
+    """Where a localizer believes the robot to be.
+
+    As `geometry_msgs/PoseWithCovarianceStamped`, with more than one hypothesis.
 
     :param map_from_base: pose in the map frame, of the best hypothesis
     :param covariance: of x, y and yaw, of the best hypothesis [m², m·rad, rad²]
     :param hypotheses: all possible ones, the highest weight first; the sum of weights is at most 1
-    :param confidence: probability that `mapFromBase` is right, as far as the localizer knows, 0–1
+    :param confidence: probability that `mapFromBase` is right, as far as the localizer knows, 0-1
     :param quality: the confidence in a word
     """
 
@@ -540,8 +573,10 @@ class OccupancyGrid:
 
 @dataclass(frozen=True, eq=False)
 class ParticleCloud:
-    """Samples of a belief about a pose: `poses` holds x, y [m], heading [rad] of one particle after the other;
-    `weights` sum to 1. Both arrays are handed over, not shared.
+    """Samples of a belief about a pose.
+
+    `poses` holds x, y [m], heading [rad] of one particle after the other; `weights` sum to 1. Both arrays are
+    handed over, not shared.
     """
 
     poses: npt.NDArray[np.float32]
@@ -581,7 +616,10 @@ class Path2d:
 
 @dataclass(frozen=True, slots=True)
 class NavigatorProgress:
-    """:param remaining: length of way left [m]
+    """How far a goal has got.
+
+    :param map_from_base: where the robot is
+    :param remaining: length of way left [m]
     :param waypoint: the point it heads for now
     :param driving: since when, in run time, it works on this goal
     """
@@ -616,6 +654,8 @@ class NavigatorCancelled:
 
 @dataclass(frozen=True, slots=True)
 class NavigatorNoPath:
+    """As `Navigator.Result.NoPath` in Java."""
+
     _type: ClassVar[str] = "NoPath"
 
     why: str
@@ -650,8 +690,10 @@ class Tolerance:
 
 @dataclass(frozen=True, slots=True)
 class PlaceFinderFound:
-    """:param map_from_places: as many as were asked for, each with the clearance, no two nearer than twice
-        the clearance; from each a robot as wide as that gets to each
+    """:param map_from_places.
+
+    As many as were asked for, each with the clearance, no two nearer than twice the clearance; from each a
+    robot as wide as that gets to each
     """
 
     _type: ClassVar[str] = "Found"
@@ -670,6 +712,7 @@ class PlaceFinderNone:
 
 class PlaceObjective(enum.Enum):
     """What makes places for a team good. Distances are those of paths."""
+
     ROOMS = "ROOMS"
     APART = "APART"
     NEAR = "NEAR"
@@ -679,7 +722,9 @@ class PlaceObjective(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class PlannerFound:
-    """:param cost: length of the way [m], more where it is narrow: what to compare ways by
+    """There is a path.
+
+    :param cost: length of the way [m], more where it is narrow: what to compare ways by
     :param off_goal: how far from the goal it ends [m], when the robot can't be there but near it; else 0
     """
 
@@ -692,6 +737,8 @@ class PlannerFound:
 
 @dataclass(frozen=True, slots=True)
 class PlannerNoPath:
+    """As `Planner.Result.NoPath` in Java."""
+
     _type: ClassVar[str] = "NoPath"
 
     why: str
@@ -722,8 +769,9 @@ class Asked:
 
 @dataclass(frozen=True, eq=False)
 class RangeArray:
-    """One round of sonars or infrared sensors, each a cone (`sensor_msgs/Range`). Ranges [m] after REP 117 as in
-    LaserScan.
+    """One round of sonars or infrared sensors, each a cone (`sensor_msgs/Range`).
+
+    Ranges [m] after REP 117 as in LaserScan.
 
     :param base_from_sensors: pose of each sensor in the base frame, looking along its x axis
     :param field_of_view: full opening angle of each cone [rad]
@@ -741,13 +789,17 @@ class RangeArray:
 
 @dataclass(frozen=True, slots=True)
 class Placed:
+    """As `SimulationControl.Placement.Placed` in Java."""
+
     _type: ClassVar[str] = "Placed"
 
 
 @dataclass(frozen=True, slots=True)
 class Refused:
-    """It stays where it was: a wall or something else is there, it is outside of the world, the pose is not
-    finite, or nothing has that name.
+    """It stays where it was.
+
+    A wall or something else is there, it is outside of the world, the pose is not finite, or nothing has that
+    name.
     """
 
     _type: ClassVar[str] = "Refused"
@@ -757,7 +809,9 @@ class Refused:
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """:param time: when the touch began
+    """A robot has touched something.
+
+    :param time: when the touch began
     :param other: the other robot or thing, or `wall`
     """
 

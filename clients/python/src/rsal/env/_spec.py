@@ -13,12 +13,12 @@ class Observe:
     """What learners observe: each of these gives some numbers of an observation."""
 
     @staticmethod
-    def ranges(*, sectors: int = 36, reach: float = 8.0, device: str = "") -> Words:
+    def ranges(*, sectors: int = 36, max_range: float = 8.0, device: str = "") -> Words:
         """Observe ranges of a laser or of sonars [m]: of each sector the least one, from right to left.
 
-        Nothing in reach, and no reading, are ``reach``. ``device`` is the name of the sensor; the first one by default.
+        Nothing in reach, and no reading, are ``max_range``. ``device`` is the sensor's name; the first one by default.
         """
-        return {"type": "ranges", "sectors": sectors, "max": reach, "device": device}
+        return {"type": "ranges", "sectors": sectors, "max": max_range, "device": device}
 
     @staticmethod
     def pose(*, source: str = "localizer", reach: float = 100.0) -> Words:

@@ -217,7 +217,7 @@ final class PythonSourceWriter {
 
     private String words(Class<?> type, String name) {
         var text = new StringBuilder("class %s(enum.Enum):\n".formatted(name));
-        text.append(doc(comment(type), "    "));
+        text.append(doc(comment(type), "    ")).append('\n');
         for (Object each : Objects.requireNonNull(type.getEnumConstants())) {
             String word = ((Enum<?>) each).name();
             text.append("    %s = \"%s\"\n".formatted(word, word));
@@ -281,15 +281,52 @@ final class PythonSourceWriter {
             text.append(line.isEmpty() ? "" : indent).append(line).append('\n');
             last = line.startsWith("    ") ? last : line;
         }
-        String body = text.toString().strip();
+        String body = summaryFirst(text.toString().strip(), indent);
         return body.contains("\n")
                 ? "%s\"\"\"%s\n%s\"\"\"\n".formatted(indent, body, indent)
                 : "%s\"\"\"%s\"\"\"\n".formatted(indent, body);
     }
 
-    /// What stands above a type in its Java file.
+    /// The first sentence in a line of its own, as PEP 257 has it.
+    private static String summaryFirst(String body, String indent) {
+        int end = Stream.of(body.indexOf("\n\n"), body.indexOf("\n" + indent + ":param"))
+                .filter(at -> at >= 0)
+                .min(Integer::compare)
+                .orElse(body.length());
+        String paragraph = body.substring(0, end);
+        if (!paragraph.contains("\n")) {
+            return body;
+        }
+        String[] sentences = paragraph.replaceAll("\\s*\\n\\s*", " ").split("(?<=[.:;]) (?=\\S)", 2);
+        if (sentences.length == 1) {
+            return body;
+        }
+        var text = new StringBuilder(sentences[0].replaceFirst("[:;]$", ".")).append('\n');
+        String line = "";
+        String rest = sentences[1].substring(0, 1).toUpperCase(Locale.ROOT) + sentences[1].substring(1);
+        for (String word : rest.split(" ")) {
+            if (line.isEmpty() || line.length() + word.length() > 110) {
+                text.append(line.isEmpty() ? "" : line + "\n");
+                line = indent + word;
+            } else {
+                line += " " + word;
+            }
+        }
+        return text.insert(text.indexOf("\n"), "\n")
+                .append(line)
+                .append(body.substring(end))
+                .toString();
+    }
+
+    /// What stands above a type in its Java file; its name in Java if nothing does.
     private static List<String> comment(Class<?> type) {
-        List<String> lines = source(type);
+        List<String> written = written(type, source(type));
+        return written.isEmpty()
+                ? List.of("As `%s` in Java.".formatted(type.getCanonicalName().replaceFirst("^[a-z.]*", "")))
+                : written;
+    }
+
+    private static List<String> written(Class<?> type, List<String> lines) {
         Pattern declaration = Pattern.compile(
                 "\\s*(?:public |static |private )*(?:record|enum) %s\\b.*".formatted(type.getSimpleName()));
         var comment = new ArrayList<String>();
@@ -307,7 +344,7 @@ final class PythonSourceWriter {
     }
 
     private static String plain(String line) {
-        return LINK.matcher(line)
+        return LINK.matcher(line.replace('–', '-').replace('−', '-').replace('×', 'x'))
                 .replaceAll(found -> found.group(1).matches(".*\\d.*|m|rad|s|deg|px|W|J|V|Wh|mm")
                         ? Matcher.quoteReplacement(found.group())
                         : found.group(1));

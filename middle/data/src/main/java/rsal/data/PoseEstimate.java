@@ -2,8 +2,9 @@ package rsal.data;
 
 import java.util.List;
 
-/// Where a localizer believes the robot to be (`geometry_msgs/PoseWithCovarianceStamped`, with more than one
-/// hypothesis).
+/// Where a localizer believes the robot to be.
+///
+/// As `geometry_msgs/PoseWithCovarianceStamped`, with more than one hypothesis.
 ///
 /// @param mapFromBase pose in the map frame, of the best hypothesis
 /// @param covariance of x, y and yaw, of the best hypothesis [m², m·rad, rad²]

@@ -41,6 +41,8 @@ public interface Docking extends Device {
         RETRYING
     }
 
+    /// How far a goal has got.
+    ///
     /// @param retries how many times it has tried again
     /// @param working since the goal was given
     record Progress(Stage stage, int retries, Duration working) {}

@@ -61,6 +61,9 @@ public interface Navigator extends Device, Locomotion {
         }
     }
 
+    /// How far a goal has got.
+    ///
+    /// @param mapFromBase where the robot is
     /// @param remaining length of way left [m]
     /// @param waypoint the point it heads for now
     /// @param driving since when, in run time, it works on this goal

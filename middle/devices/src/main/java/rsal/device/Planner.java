@@ -99,6 +99,8 @@ public interface Planner extends Device {
     }
 
     sealed interface Result {
+        /// There is a path.
+        ///
         /// @param cost length of the way [m], more where it is narrow: what to compare ways by
         /// @param offGoal how far from the goal it ends [m], when the robot can't be there but near it; else 0
         record Found(Path2d path, double cost, double offGoal) implements Result {}

@@ -169,6 +169,8 @@ public interface SimulationControl extends Device {
     /// Collisions so far; each contact counts once until it ends.
     List<Contact> contacts();
 
+    /// A robot has touched something.
+    ///
     /// @param time when the touch began
     /// @param other the other robot or thing, or `wall`
     record Contact(java.time.Instant time, String robot, String other) {}

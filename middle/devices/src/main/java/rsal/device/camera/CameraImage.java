@@ -4,7 +4,7 @@ import java.util.Objects;
 import rsal.data.Picture;
 import rsal.data.Unit;
 
-/// An image of a camera without distortion (a pinhole), as `sensor_msgs/Image` in `rgb8` and `16UC1` and
+/// An image of a camera without distortion (a pinhole). As `sensor_msgs/Image` in `rgb8` and `16UC1`, and
 /// `sensor_msgs/CameraInfo` of ROS. Its optical axis goes through the middle of the image. Rows come from the top,
 /// columns from the left.
 ///
