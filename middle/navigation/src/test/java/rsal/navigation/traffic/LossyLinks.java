@@ -39,13 +39,11 @@ public final class LossyLinks {
 
             @Override
             public <M extends Record> Subscription onMessage(Class<M> type, BiConsumer<String, M> listener) {
-                listeners
-                        .computeIfAbsent(robot, _ -> new ArrayList<>())
-                        .add((sender, message) -> {
-                            if (type.isInstance(message)) {
-                                listener.accept(sender, type.cast(message));
-                            }
-                        });
+                listeners.computeIfAbsent(robot, _ -> new ArrayList<>()).add((sender, message) -> {
+                    if (type.isInstance(message)) {
+                        listener.accept(sender, type.cast(message));
+                    }
+                });
                 return () -> {};
             }
         };
