@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
+from rsal.env._episodes import Episodes
 from rsal.env._worlds import Worlds
+from rsal.launch import RsalError
 
 _WIDTH = 800  # pixels, at most
 _BACKGROUND, _WALL, _UNKNOWN = (255, 255, 255), (40, 44, 52), (205, 205, 205)
@@ -14,6 +16,27 @@ _RADIUS = 0.3  # m
 _LEAST = 4  # pixels
 
 Picture = npt.NDArray[np.uint8]
+
+
+class Pictures:
+    """What an environment with one world shows of itself."""
+
+    def __init__(self, episodes: Episodes, render_mode: str | None) -> None:
+        if render_mode not in (None, "rgb_array"):
+            raise RsalError(f"render_mode must be 'rgb_array' or None, not '{render_mode}'.")
+        self._episodes = episodes
+        self._wanted = render_mode is not None
+        self._drawing: Drawing | None = None
+
+    def render(self) -> Picture | None:
+        """Return a picture of the map and the robots, if the render mode is ``rgb_array``."""
+        if not self._wanted:
+            return None
+        worlds = self._episodes.worlds
+        poses = worlds.poses[0].copy()  # another request makes the views invalid
+        if self._drawing is None:
+            self._drawing = Drawing(worlds)
+        return self._drawing.draw(poses)
 
 
 class Drawing:

@@ -9,7 +9,7 @@ import numpy as np
 from gymnasium import spaces
 from pettingzoo import ParallelEnv
 
-from rsal.env._drawing import Drawing, Picture
+from rsal.env._drawing import Picture, Pictures
 from rsal.env._episodes import Episodes
 from rsal.env._spaces import action_space, observation_space
 from rsal.env._spec import Spec
@@ -31,14 +31,12 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
         max_steps: int | None = None,
         render_mode: str | None = None,
     ) -> None:
-        if render_mode not in (None, "rgb_array"):
-            raise RsalError(f"render_mode must be 'rgb_array' or None, not '{render_mode}'.")
         self._made = (spec, reward, max_steps, render_mode)
         self._episodes = Episodes(spec, 1, 1, reward, max_steps)
         self.metadata = {**type(self).metadata, "name": f"rsal/{spec.scenario}_v0"}  # type: ignore[misc]
         self.render_mode = render_mode
         self.agents: list[str] = []
-        self._drawing: Drawing | None = None
+        self._pictures = Pictures(self._episodes, render_mode)
         self._spaces: dict[str, tuple[spaces.Space[Any], spaces.Space[Any]]] = {}
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -115,13 +113,7 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
 
     def render(self) -> Picture | None:
         """Return a picture of the map and the robots, if the render mode is ``rgb_array``."""
-        if self.render_mode is None:
-            return None
-        worlds = self._episodes.worlds
-        poses = worlds.poses[0].copy()
-        if self._drawing is None:
-            self._drawing = Drawing(worlds)
-        return self._drawing.draw(poses)
+        return self._pictures.render()
 
     def close(self) -> None:
         """End the process that simulates."""

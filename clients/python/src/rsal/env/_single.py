@@ -8,7 +8,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 
-from rsal.env._drawing import Drawing, Picture
+from rsal.env._drawing import Picture, Pictures
 from rsal.env._episodes import Episodes
 from rsal.env._spaces import action_space, observation_space
 from rsal.env._spec import Spec
@@ -28,12 +28,10 @@ class SingleScenario(gymnasium.Env[Floats, Any]):
         max_steps: int | None = None,
         render_mode: str | None = None,
     ) -> None:
-        if render_mode not in (None, "rgb_array"):
-            raise RsalError(f"render_mode must be 'rgb_array' or None, not '{render_mode}'.")
         self.metadata = {"render_modes": ["rgb_array"], "render_fps": 10}
         self.render_mode = render_mode
         self._episodes = Episodes(spec, 1, 1, reward, max_steps)
-        self._drawing: Drawing | None = None
+        self._pictures = Pictures(self._episodes, render_mode)
         layout = self._episodes.layout
         if len(layout.learners) != 1:
             self.close()
@@ -72,13 +70,7 @@ class SingleScenario(gymnasium.Env[Floats, Any]):
 
     def render(self) -> Picture | None:
         """Return a picture of the map and the robots, if the render mode is ``rgb_array``."""
-        if self.render_mode is None:
-            return None
-        worlds = self._episodes.worlds
-        poses = worlds.poses[0].copy()
-        if self._drawing is None:
-            self._drawing = Drawing(worlds)
-        return self._drawing.draw(poses)
+        return self._pictures.render()
 
     def close(self) -> None:
         """End the process that simulates."""
