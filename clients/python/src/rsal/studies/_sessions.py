@@ -134,13 +134,24 @@ def connect(
 
 def _tokens() -> dict[int, str]:
     """Return the tokens of this person's pages by port: they are in files that nobody else may read."""
-    runtime = os.environ.get("XDG_RUNTIME_DIR")
-    folder = Path(runtime) / "rsal" if runtime else Path.home() / ".cache" / "rsal"
     tokens: dict[int, str] = {}
-    for file in sorted(folder.glob("page-*.token")):
-        with suppress(OSError, ValueError):
-            tokens[int(file.stem.split("-")[1])] = file.read_text(encoding="ascii").strip()
+    for folder in _token_folders():
+        for file in sorted(folder.glob("page-*.token")):
+            with suppress(OSError, ValueError):
+                tokens[int(file.stem.split("-")[1])] = file.read_text(encoding="ascii").strip()
     return tokens
+
+
+def _token_folders() -> list[Path]:
+    runtime = os.environ.get("XDG_RUNTIME_DIR")
+    if runtime:
+        return [Path(runtime) / "rsal"]
+    homes = [Path.home()]
+    with suppress(ImportError, KeyError):  # not on Windows; users of containers may have no entry
+        import pwd  # noqa: PLC0415
+
+        homes.append(Path(pwd.getpwuid(os.getuid()).pw_dir))  # Java takes this one, whatever HOME is
+    return [home / ".cache" / "rsal" for home in dict.fromkeys(homes)]
 
 
 def _port() -> int:
