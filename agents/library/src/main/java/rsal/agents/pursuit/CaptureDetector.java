@@ -18,6 +18,7 @@ import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.robot.LineOfSight;
 import rsal.robot.Robot;
+import rsal.settings.Arguments;
 
 /// What a prey does when it believes a hunter too near, and sees nothing that stands between: it says that it
 /// is caught, and spins on the spot as long as it has room.
@@ -35,6 +36,20 @@ public final class CaptureDetector {
     private final int catchers;
     private final Runnable lettingGo;
     private boolean caught;
+
+    /// Of a prey with the parameters of [Escape].
+    ///
+    /// @param lettingGo lets go of the robot for good
+    static CaptureDetector of(AgentContext self, Robot robot, Arguments arguments, Runnable lettingGo) {
+        return new CaptureDetector(
+                self,
+                robot,
+                arguments.get(Escape.HUNTER),
+                arguments.get(Escape.CATCH_DISTANCE),
+                arguments.get(Escape.CATCHERS),
+                MarkerSight.byMarkers(arguments),
+                lettingGo);
+    }
 
     /// @param hunterName role of the robots that catch it, or id of the one; empty when any other robot does
     /// @param catchers how many of them have to be near at once

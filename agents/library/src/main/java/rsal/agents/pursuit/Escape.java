@@ -26,10 +26,11 @@ public final class Escape extends AgentTypeBase {
             10,
             "",
             "It is caught when so many hunters are nearer than 'catchDistance' at once, in its line of sight.");
+    private static final String WANDER = "wander";
     static final Parameter<String> MOVEMENT = Parameter.choice(
             "movement",
             "follow-wall",
-            List.of("follow-wall", "wander"),
+            List.of("follow-wall", WANDER),
             "How it drives while it does not flee: along the wall on its left, or straight on and away from obstacles at random.");
 
     public Escape() {
@@ -38,6 +39,11 @@ public final class Escape extends AgentTypeBase {
                 "Prey: follows the wall on its left until a hunter comes too near, then gives up.",
                 List.of(HUNTER, CATCH_DISTANCE, CATCHERS, MOVEMENT, MarkerSight.SEES, PoseReporter.PERIOD),
                 List.of(Pilot.class));
+    }
+
+    /// Whether one with such arguments drives at random while it does not flee.
+    static boolean wanders(Arguments arguments) {
+        return arguments.get(MOVEMENT).equals(WANDER);
     }
 
     @Override

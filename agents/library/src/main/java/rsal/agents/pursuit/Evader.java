@@ -70,20 +70,13 @@ final class Evader {
                 : Optional.empty();
         this.evasion = new Evasion(self, robot);
         this.sight = arguments.get(Evade.SENSING_RANGE);
-        this.wanders = arguments.get(Escape.MOVEMENT).equals("wander");
+        this.wanders = Escape.wanders(arguments);
         this.fear = arguments.get(Evade.FLEE_DISTANCE);
         this.charging =
                 new Charging(self, robot, driver, reporter::mapFromBase, arguments.get(Recharging.CHARGERS), LOW, FULL);
         this.mind = new Mind(self);
         this.nearest = mind.belief("nearest hunter", Double.POSITIVE_INFINITY);
-        this.surrender = new CaptureDetector(
-                self,
-                robot,
-                hunter,
-                arguments.get(Escape.CATCH_DISTANCE),
-                arguments.get(Escape.CATCHERS),
-                byMarkers,
-                this::letGo);
+        this.surrender = CaptureDetector.of(self, robot, arguments, this::letGo);
         this.self.atEnd(pilot::release);
     }
 

@@ -20,19 +20,10 @@ final class Prey {
 
     Prey(AgentContext self, Robot robot, Arguments arguments) {
         this.self = self;
-        this.roaming = arguments.get(Escape.MOVEMENT).equals("wander")
-                ? Roaming.anywhere(self, robot)
-                : Roaming.alongWalls(self, robot);
+        this.roaming = Escape.wanders(arguments) ? Roaming.anywhere(self, robot) : Roaming.alongWalls(self, robot);
         String hunter = arguments.get(Escape.HUNTER);
         boolean byMarkers = MarkerSight.byMarkers(arguments);
-        this.surrender = new CaptureDetector(
-                self,
-                robot,
-                hunter,
-                arguments.get(Escape.CATCH_DISTANCE),
-                arguments.get(Escape.CATCHERS),
-                byMarkers,
-                roaming::end);
+        this.surrender = CaptureDetector.of(self, robot, arguments, roaming::end);
         this.reporter = new PoseReporter(self, robot, arguments, _ -> lookAround(), !byMarkers);
         this.sight = byMarkers
                 ? Optional.of(new MarkerSight(self, robot, reporter::mapFromBase, hunter, seen -> hear(seen.report())))
