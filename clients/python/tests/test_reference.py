@@ -1,4 +1,4 @@
-"""The reference of rsal.studies and rsal.env is made of its docstrings: RSAL_UPDATE=true writes it anew."""
+"""The reference of rsal.studies and rsal.env is made of its docstrings: RSAL_UPDATE=true writes it again."""
 
 from __future__ import annotations
 

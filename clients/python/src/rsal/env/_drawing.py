@@ -33,10 +33,9 @@ class Pictures:
         if not self._wanted:
             return None
         worlds = self._episodes.worlds
-        poses = worlds.poses[0].copy()  # another request makes the views invalid
         if self._drawing is None:
             self._drawing = Drawing(worlds)
-        return self._drawing.draw(poses)
+        return self._drawing.draw(worlds.poses[0])
 
 
 class Drawing:

@@ -46,9 +46,8 @@ class Episodes:
         self._max_steps = max_steps
         self._worlds: Worlds | None = None
         self._random = np.random.default_rng()
-        self._fresh = False
         self._steps = np.zeros(count, np.int64)
-        self._collisions: Integers = np.zeros((count, 0), np.int32)
+        self._collisions: Integers = np.zeros((count, 0), np.int32)  # after the last step or reset
         self._measured: list[float] = [0.0] * count
 
     @property
@@ -56,7 +55,6 @@ class Episodes:
         """The process, which is started if it was not."""
         if self._worlds is None:
             self._worlds = Worlds(self.spec, self._draw(self.count), self._threads)
-            self._fresh = True
             self._begun(range(self.count))
         return self._worlds
 
@@ -79,7 +77,6 @@ class Episodes:
             self._worlds = Worlds(self.spec, first, self._threads)
         else:
             self._worlds.reset(range(self.count), first)
-        self._fresh = True
         self._begun(range(self.count))
         return self._worlds.observations
 
@@ -90,12 +87,9 @@ class Episodes:
         return self.worlds.observations
 
     def _begun(self, which: range | list[int]) -> None:
-        worlds = self.worlds
-        if self._collisions.shape != worlds.collisions.shape:
-            self._collisions = np.zeros(worlds.collisions.shape, np.int32)
+        self._collisions = self.worlds.collisions
         for world in which:
             self._steps[world] = 0
-            self._collisions[world] = worlds.collisions[world]
             self._measured[world] = 0.0
 
     def step(self, actions: npt.ArrayLike) -> Step:
@@ -104,15 +98,13 @@ class Episodes:
         given = np.asarray(actions, np.float32)
         over = worlds.step(given)
         self._steps += 1
-        observations, poses, collisions = worlds.observations, worlds.poses, worlds.collisions
         rewards = self._rewards(given.reshape(self.count, len(self.layout.learners), -1), over)
-        self._collisions = collisions.copy()
+        self._collisions = worlds.collisions
         terminated = np.array([over.get(world, _TIMEOUT) != _TIMEOUT for world in range(self.count)])
         late = np.zeros(self.count, bool) if self._max_steps is None else self._steps >= self._max_steps
         truncated = ~terminated & (late | np.array([world in over for world in range(self.count)]))
         endings = {int(world): worlds.finish(int(world)) for world in np.flatnonzero(terminated | truncated)}
-        worlds.observations, worlds.poses, worlds.collisions = observations, poses, collisions
-        return Step(observations, rewards, terminated, truncated, endings)
+        return Step(worlds.observations, rewards, terminated, truncated, endings)
 
     def _rewards(self, actions: Floats, over: dict[int, str]) -> Floats:
         worlds, layout = self.worlds, self.layout
@@ -124,15 +116,14 @@ class Episodes:
                 self._measured[world] = value
         elif self._reward is not None:
             new = worlds.collisions - self._collisions
-            observations, poses, collisions = worlds.observations, worlds.poses, worlds.collisions
             for world in range(self.count):
                 rewards[world] = self._reward(
                     View(
                         layout=layout,
-                        observations=observations[world],
+                        observations=worlds.observations[world],
                         actions=actions[world],
-                        all_poses=poses[world],
-                        all_collisions=collisions[world],
+                        all_poses=worlds.poses[world],
+                        all_collisions=worlds.collisions[world],
                         new_collisions=new[world],
                         time=float(self._steps[world]) * layout.period,
                         outcome=over.get(world, ""),

@@ -48,7 +48,7 @@ class Layout:
 
 
 class Worlds:
-    """Many worlds of one environment, in one child process. Arrays are views that are valid until the next request."""
+    """Many worlds of one environment, in one child process. Arrays are those of the newest step or reset, read-only."""
 
     def __init__(self, spec: Spec, seeds: Sequence[int], threads: int = 1) -> None:
         self._owner = os.getpid()

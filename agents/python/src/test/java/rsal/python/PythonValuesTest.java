@@ -20,7 +20,7 @@ import rsal.device.SimulationControl;
 import rsal.robot.DeviceKind;
 import rsal.robot.DeviceKinds;
 
-/// What Python has of Java's values is what Java has. `-Drsal.update=true` writes it anew.
+/// What Python has of Java's values is what Java has. `-Drsal.update=true` writes it again.
 class PythonValuesTest {
     private static final Path HOME = Path.of("../../clients/python/src/rsal/agents");
 

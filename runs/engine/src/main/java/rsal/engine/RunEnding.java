@@ -24,10 +24,9 @@ record RunEnding(String outcome, String words) {
                         .flatMap(Set::stream)
                         .collect(Collectors.toCollection(TreeSet::new));
         boolean fails = !failed.isEmpty() && !how.equals(RunPlan.Outcome.TIMEOUT.word());
+        String outcome = fails ? RunPlan.Outcome.FAILURE.word() : how;
         return new RunEnding(
-                fails ? RunPlan.Outcome.FAILURE.word() : how,
-                "ends: " + (fails ? RunPlan.Outcome.FAILURE.word() : how)
-                        + (failed.isEmpty() ? "" : "; failed: " + String.join(", ", failed)));
+                outcome, "ends: " + outcome + (failed.isEmpty() ? "" : "; failed: " + String.join(", ", failed)));
     }
 
     /// One of which nothing is to be judged, as before its agents are there.

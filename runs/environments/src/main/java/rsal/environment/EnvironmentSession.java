@@ -29,7 +29,6 @@ import rsal.scenario.RunOptions;
 public final class EnvironmentSession implements AutoCloseable {
     private final Environments environments = new Environments();
     private @Nullable Worlds worlds;
-    private OccupancyGrid map = new OccupancyGrid(1, 1, 1, 0, 0, new byte[1]);
 
     /// @param words texts, numbers, flags, lists and maps
     /// @param arrays each a `float[]`, an `int[]` or a `byte[]`
@@ -73,7 +72,6 @@ public final class EnvironmentSession implements AutoCloseable {
         long[] seeds = numbers(words.get("seeds"));
         var opened = new Worlds(blueprint, seeds, integer(words, "threads", 1));
         worlds = opened;
-        map = blueprint.scenario().plan(blueprint.options().withSeed(seeds[0])).map();
         Blueprint.Layout layout = opened.layout();
         var fields = new ArrayList<String>();
         var low = new ArrayList<Float>();
@@ -150,6 +148,7 @@ public final class EnvironmentSession implements AutoCloseable {
     }
 
     private Answer map() {
+        OccupancyGrid map = worlds().map();
         return new Answer(
                 Map.of(
                         "width", map.width(),

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rsal.data.OccupancyGrid;
 import rsal.data.Pose2d;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Contact;
@@ -189,6 +190,11 @@ public final class Episode implements AutoCloseable {
                 .filter(robot -> role.isEmpty() || robot.role().equals(role))
                 .mapToInt(robot -> number(robot.id()))
                 .toArray();
+    }
+
+    /// The map of its world.
+    OccupancyGrid map() {
+        return plan.map();
     }
 
     public boolean isOver() {

@@ -12,7 +12,7 @@ import rsal.robot.Robot;
 /// The agent of a robot that a program outside drives. It repeats the newest velocity, so that the robot's watchdog
 /// does not stop it during a long step. On the thread that steps the episode.
 public final class Learner implements Agent {
-    private static final Duration PERIOD = Duration.ofMillis(200); // the least watchdog has 0.1 s; the usual 0.5 s
+    private static final Duration PERIOD = Duration.ofMillis(200); // less than the usual watchdog, 0.5 s
 
     private @Nullable AgentContext self;
     private @Nullable Twist2d velocity;

@@ -3,6 +3,7 @@ package rsal.environment;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
@@ -79,8 +80,7 @@ public final class NearestObservation implements ObservationType {
         /// Takes the nearest, then the nearest of the rest, as there are few.
         private void write(Episode episode, int own, int[] others, float[] to, int at) {
             Pose2d mapFromBase = episode.truth(own);
-            double cos = Math.cos(mapFromBase.theta());
-            double sin = Math.sin(mapFromBase.theta());
+            Pose2d baseFromMap = mapFromBase.inverse();
             double taken = -1; // squared distance of the last one
             int takenNumber = -1;
             for (int i = 0; i < count; i++) {
@@ -101,10 +101,10 @@ public final class NearestObservation implements ObservationType {
                     Arrays.fill(to, first, first + EACH, 0);
                     continue;
                 }
-                double dx = episode.truth(nearest).x() - mapFromBase.x();
-                double dy = episode.truth(nearest).y() - mapFromBase.y();
-                to[first] = (float) (cos * dx + sin * dy);
-                to[first + 1] = (float) (cos * dy - sin * dx);
+                Point2d baseFromNearest =
+                        baseFromMap.transform(episode.truth(nearest).position());
+                to[first] = (float) baseFromNearest.x();
+                to[first + 1] = (float) baseFromNearest.y();
                 to[first + 2] = 1;
                 taken = least;
                 takenNumber = nearest;

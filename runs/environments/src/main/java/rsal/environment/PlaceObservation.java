@@ -1,7 +1,7 @@
 package rsal.environment;
 
 import java.util.List;
-import rsal.data.Pose2d;
+import rsal.data.Point2d;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -34,10 +34,12 @@ public final class PlaceObservation implements ObservationType {
 
     @Override
     public LearnerObservation create(Arguments arguments) {
-        return new Place(arguments.get(X), arguments.get(Y), arguments.get(MAX).floatValue());
+        return new Place(
+                new Point2d(arguments.get(X), arguments.get(Y)),
+                arguments.get(MAX).floatValue());
     }
 
-    private record Place(double x, double y, float max) implements LearnerObservation {
+    private record Place(Point2d mapFromPlace, float max) implements LearnerObservation {
         @Override
         public List<String> fields() {
             return List.of("x of place [m]", "y of place [m]");
@@ -57,13 +59,9 @@ public final class PlaceObservation implements ObservationType {
         public Reader of(Robot robot, Episode episode) {
             int number = episode.number(robot.id());
             return (to, at) -> {
-                Pose2d mapFromBase = episode.truth(number);
-                double dx = x - mapFromBase.x();
-                double dy = y - mapFromBase.y();
-                double cos = Math.cos(mapFromBase.theta());
-                double sin = Math.sin(mapFromBase.theta());
-                to[at] = Math.clamp((float) (cos * dx + sin * dy), -max, max);
-                to[at + 1] = Math.clamp((float) (cos * dy - sin * dx), -max, max);
+                Point2d baseFromPlace = episode.truth(number).inverse().transform(mapFromPlace);
+                to[at] = Math.clamp((float) baseFromPlace.x(), -max, max);
+                to[at + 1] = Math.clamp((float) baseFromPlace.y(), -max, max);
             };
         }
     }

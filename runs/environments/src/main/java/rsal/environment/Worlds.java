@@ -9,6 +9,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
+import rsal.data.OccupancyGrid;
 import rsal.engine.report.RunResult;
 
 /// Many worlds of one environment. Each is a run of its own, so that what happens in one does not depend on the others,
@@ -64,6 +65,11 @@ public final class Worlds implements AutoCloseable {
 
     public Blueprint.Layout layout() {
         return episode(0).layout();
+    }
+
+    /// The map of all worlds.
+    public OccupancyGrid map() {
+        return episode(0).map();
     }
 
     public int count() {
