@@ -76,20 +76,20 @@ describe.skipIf(!chromium)('the editor of texts', () => {
     await picture(page, 'editor-built');
   });
 
-  it('underlines a mistake where it is, with its remedy', async () => {
+  it('underlines an error where it is, with its remedy', async () => {
     const page = await opened();
     const errors: string[] = [];
     page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
     await edit(page);
     await text(page).press('Control+End');
     await page.keyboard.type('    colr: 3');
-    await dialog(page).locator('.mistake', { hasText: 'colr' }).waitFor();
+    await dialog(page).locator('.error', { hasText: 'colr' }).waitFor();
     const list = dialog(page).getByRole('list', { name: 'Errors' });
     expect(await list.innerText()).toMatch(/colr[^]*color/);
-    await picture(page, 'editor-mistake-light');
+    await picture(page, 'editor-error-light');
     await expectAccessible(page, 'dialog[open]');
     await list.getByRole('button', { name: 'Line 9' }).click();
-    await dialog(page).locator('.mistake').hover();
+    await dialog(page).locator('.error').hover();
     await dialog(page).locator('.meaning').waitFor();
     expect(errors).toEqual([]); // as the Content-Security-Policy would have it
   });

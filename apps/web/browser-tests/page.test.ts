@@ -437,7 +437,7 @@ describe.skipIf(!chromium)('the page', () => {
     }
   });
 
-  it('names every mistaken field of the form at once, and restarts nothing', async () => {
+  it('names every invalid field of the form at once, and restarts nothing', async () => {
     await page.keyboard.press('r');
     const dialog = page.getByRole('dialog');
     const field = (name: string) => dialog.getByLabel(name, { exact: true });
@@ -446,7 +446,7 @@ describe.skipIf(!chromium)('the page', () => {
     await field('catchDistance[m]').fill('far');
     await dialog.getByRole('button', { name: 'Restart' }).click();
     await dialog.getByRole('alert').waitFor();
-    for (const [name, mistake] of [
+    for (const [name, error] of [
       ['Seed', "'seed' must be a whole number, not 'seven'."],
       ['prey', "'prey' must be a whole number from 1 to 20, not '99'."],
       ['catchDistance[m]', "'catchDistance' must be a number from 0.8 to 3 [m], not 'far'."],
@@ -454,7 +454,7 @@ describe.skipIf(!chromium)('the page', () => {
       expect(await field(name).getAttribute('aria-invalid'), name).toBe('true');
       const descriptions = (await field(name).getAttribute('aria-describedby'))!.split(' ');
       const texts = await Promise.all(descriptions.map((id) => page.locator(`#${id}`).innerText()));
-      expect(texts.join(' ')).toContain(mistake);
+      expect(texts.join(' ')).toContain(error);
     }
     expect(await field('hunters').getAttribute('aria-invalid')).toBe('false');
     expect(await field('Seed').evaluate((input) => input === document.activeElement)).toBe(true);
@@ -578,7 +578,7 @@ describe.skipIf(!chromium)('the page', () => {
     await page.getByRole('dialog', { name: 'Restart' }).getByLabel('Seed').fill('seven');
     await page.getByRole('dialog').getByRole('button', { name: 'Restart' }).click();
     await page.getByRole('dialog').getByRole('alert').waitFor();
-    await check('with mistakes in the form');
+    await check('with errors in the form');
     await page.keyboard.press('Escape');
     await rsal.post('estop');
     await page.getByText('Press Arm to switch them on').waitFor();

@@ -13,7 +13,7 @@ import { Rsal } from './rsal';
 /** Where pictures go of what was tested, for people to look at; none when it is not set. */
 const PICTURES = process.env.PICTURES;
 
-/** What the server answers when people ask for what can't be: no mistake of the page, where a test does that. */
+/** What the server answers when people ask for what can't be: no error of the page, where a test does that. */
 const REFUSED = /status of 4(09|22)/;
 
 /** Whether `./rsal test --all` runs this, for which what takes too long for each landing is left. */
@@ -70,7 +70,7 @@ function theBrowser(): Promise<Browser> {
 }
 
 interface Visit extends BrowserContextOptions {
-  /** Of a server that may be gone at times: what goes wrong then is no mistake of the page. */
+  /** Of a server that may be gone at times: what goes wrong then is no error of the page. */
   mayFail?: boolean;
 }
 

@@ -609,7 +609,7 @@ export const texts = {
     loading: 'Loading the editor…',
     checking: 'Checking…',
     good: 'No errors.',
-    mistakes: (count: number) => counted(count, 'error'),
+    errors: (count: number) => counted(count, 'error'),
     list: 'Errors',
     place: (line: number) => `Line ${line}`,
     keys: (saves: boolean) =>

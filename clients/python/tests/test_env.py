@@ -197,7 +197,7 @@ def test_it_goes_through_pickle_without_its_process(scenario: str) -> None:
     other.close()
 
 
-def test_mistakes_say_what_is_wrong(scenario: str) -> None:
+def test_errors_say_what_is_wrong(scenario: str) -> None:
     with pytest.raises(RsalError, match=r"no observation 'rangs'.*ranges"):
         env.parallel_env(scenario, learners="learner", observe=["rangs"]).reset()
     with pytest.raises(RsalError, match=r"No robot has the role 'hunter'. Roles are: learner, other."):

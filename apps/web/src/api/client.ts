@@ -7,7 +7,7 @@ import type {
   Control,
   ControlWish,
   Links,
-  Mistake,
+  FieldError,
   Mounts,
   PastNumbers,
   Plan,
@@ -43,7 +43,7 @@ import { decodeGrid, type Grid } from './grid';
 export class RefusedError extends Error {
   constructor(
     message: string,
-    readonly problems: Mistake[],
+    readonly problems: FieldError[],
     /** Of HTTP; 0 when there was no answer. */
     readonly status = 0,
   ) {

@@ -335,7 +335,7 @@ export interface MindInfo {
   left: number;
 }
 
-export interface Mistake {
+export interface FieldError {
   where: string;
   message: string;
   remedy: string;
@@ -451,7 +451,7 @@ export interface RecordingInfo {
 
 export interface Refused {
   message: string;
-  problems: Mistake[];
+  problems: FieldError[];
 }
 
 export interface Restart {
@@ -748,10 +748,10 @@ export interface TalkInfo {
 
 export interface TextCheck {
   configurations: ConfigurationInfo[];
-  mistakes: TextMistake[];
+  errors: TextError[];
 }
 
-export interface TextMistake {
+export interface TextError {
   file: string;
   line: number;
   column: number;

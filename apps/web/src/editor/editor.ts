@@ -14,15 +14,15 @@ import {
   ViewPlugin,
   type DecorationSet,
 } from '@codemirror/view';
-import type { TextMistake } from '../api/messages';
+import type { TextError } from '../api/messages';
 import { describe, offersAt, type Offer, type Schema } from './schema';
 import { entriesOf, entryAt } from './yaml';
 
 /** What a text is edited with. Loaded when it is needed, as it is as large as half of the page. */
 export interface Editor {
   text(): string;
-  show(mistakes: readonly TextMistake[]): void;
-  goTo(mistake: TextMistake): void;
+  show(errors: readonly TextError[]): void;
+  goTo(error: TextError): void;
   focus(): void;
   destroy(): void;
 }
@@ -82,7 +82,7 @@ export function edit(host: HTMLElement, text: string, schema: Schema, wishes: Wi
   });
   return {
     text: () => view.state.sliceDoc(),
-    show: (mistakes) => view.dispatch({ effects: found.of(mistakes) }),
+    show: (errors) => view.dispatch({ effects: found.of(errors) }),
     goTo: ({ line, column }) => {
       const anchor = offsetOf(view.state.doc, line, column);
       view.dispatch({ selection: { anchor }, scrollIntoView: true });
@@ -99,16 +99,16 @@ function offsetOf(doc: Text, line: number, column: number): number {
 }
 
 /** What is wrong with the text as it is now. */
-const found = StateEffect.define<readonly TextMistake[]>();
+const found = StateEffect.define<readonly TextError[]>();
 
-/** Each mistake's word is underlined, until it is told anew what is wrong. */
+/** Each error's word is underlined, until it is told anew what is wrong. */
 const underlined = StateField.define<DecorationSet>({
   create: () => Decoration.none,
   update(marks, { changes, effects, newDoc }) {
     const news = effects.find((effect) => effect.is(found));
     return news
       ? Decoration.set(
-          news.value.map((mistake) => mark(newDoc, mistake)),
+          news.value.map((error) => mark(newDoc, error)),
           true,
         )
       : marks.map(changes);
@@ -116,17 +116,17 @@ const underlined = StateField.define<DecorationSet>({
   provide: (field) => EditorView.decorations.from(field),
 });
 
-function mark(doc: Text, { line, column, message, remedy }: TextMistake) {
+function mark(doc: Text, { line, column, message, remedy }: TextError) {
   const at = offsetOf(doc, line, column);
   const { from: start, to: end } = doc.lineAt(at);
   const word = /^(?:"[^"]*"|'[^']*'|[^\s,:[\]{}]+)/.exec(doc.sliceString(at, end))?.[0].length ?? 1;
   const to = Math.min(at + word, end);
   // what ends too early has no word there: so the whole line
   const [from, until] = at < to ? [at, to] : [start, end];
-  const attributes = { 'data-mistake': `${message} ${remedy}`.trim() };
+  const attributes = { 'data-error': `${message} ${remedy}`.trim() };
   return from < until
-    ? Decoration.mark({ class: 'mistake', attributes }).range(from, until)
-    : Decoration.line({ class: 'mistaken', attributes }).range(start);
+    ? Decoration.mark({ class: 'error', attributes }).range(from, until)
+    : Decoration.line({ class: 'invalid', attributes }).range(start);
 }
 
 const completions =
@@ -163,7 +163,7 @@ const written = ({ label, kind }: Offer, next: string) =>
 
 const meanings = (schema: Schema) =>
   hoverTooltip((view, pos) => {
-    const wrong = mistakeAt(view.state, pos);
+    const wrong = errorAt(view.state, pos);
     if (wrong) {
       return tooltip(wrong.from, wrong.to, wrong.text);
     }
@@ -175,17 +175,17 @@ const meanings = (schema: Schema) =>
       : null;
   });
 
-function mistakeAt(state: EditorState, pos: number): { from: number; to: number; text: string } | null {
+function errorAt(state: EditorState, pos: number): { from: number; to: number; text: string } | null {
   let told = null;
   state.field(underlined).between(pos, pos, (from, to, { spec }: { spec: Spec }) => {
-    told = { from, to, text: spec.attributes['data-mistake'] };
+    told = { from, to, text: spec.attributes['data-error'] };
     return false;
   });
   return told;
 }
 
 interface Spec {
-  attributes: { 'data-mistake': string };
+  attributes: { 'data-error': string };
 }
 
 function tooltip(pos: number, end: number, text: string) {
@@ -262,6 +262,6 @@ const theme = EditorView.theme({
   '.key': { color: 'var(--accent)' },
   '.string': { color: 'var(--good)' },
   '.argument': { color: 'var(--warn)' },
-  '.mistake': { textDecoration: 'underline wavy var(--bad)', textUnderlineOffset: '3px' },
-  '.mistaken': { borderLeft: '3px solid var(--bad)' },
+  '.error': { textDecoration: 'underline wavy var(--bad)', textUnderlineOffset: '3px' },
+  '.invalid': { borderLeft: '3px solid var(--bad)' },
 });

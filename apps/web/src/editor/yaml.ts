@@ -169,7 +169,7 @@ class Reader {
         this.brackets.pop();
         word = -1;
         if (this.brackets.length === 0) {
-          return; // what is behind them is a comment, or a mistake
+          return; // what is behind them is a comment, or an error
         }
       } else if (c === ',') {
         top!.key = null;

@@ -32,23 +32,23 @@ def inspect(text: str, name: str, wanted: str) -> dict[str, Any]:
     """
     try:
         tree = ast.parse(text, name)
-    except SyntaxError as mistake:
-        return {"problems": [problem(mistake.lineno or 1, mistake.offset or 1, f"This is not Python: {mistake.msg}.")]}
-    except ValueError as mistake:  # a null byte
-        return {"problems": [problem(1, 1, f"This is not Python: {mistake}.")]}
+    except SyntaxError as error:
+        return {"problems": [problem(error.lineno or 1, error.offset or 1, f"This is not Python: {error.msg}.")]}
+    except ValueError as error:  # a null byte
+        return {"problems": [problem(1, 1, f"This is not Python: {error}.")]}
     problems: list[dict[str, Any]] = []
     try:
         agent = _agent(tree, wanted)
-    except _InvalidFileError as mistake:
-        return {"problems": [mistake.words]}
+    except _InvalidFileError as error:
+        return {"problems": [error.words]}
     parameters: dict[str, Any] = {}
     needs: list[Any] = []
     for each in _line_of(agent, _classes(tree)):
         for statement in each.body:
             try:
                 _read(statement, parameters, needs)
-            except _InvalidFileError as mistake:
-                problems.append(mistake.words)
+            except _InvalidFileError as error:
+                problems.append(error.words)
     if problems:
         return {"problems": problems}
     doc = ast.get_docstring(agent) or ast.get_docstring(tree) or ""

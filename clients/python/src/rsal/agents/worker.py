@@ -215,8 +215,8 @@ class Worker:
                 heard = link.heard.get(words["id"])
                 if heard is not None:
                     heard(words["value"], arrays)
-        except (Exception, SystemExit) as mistake:
-            answer["failed"] = self._failure(mistake)
+        except (Exception, SystemExit) as error:
+            answer["failed"] = self._failure(error)
         self._output.over()
         self.turn = None
         answer["do"], link.asked = link.asked, []
@@ -245,14 +245,14 @@ class Worker:
         agent.__init__()  # type: ignore[misc] # after all that it may use is there
         agent._run(agent.on_start)
 
-    def _failure(self, mistake: BaseException) -> dict[str, Any]:
-        stack = traceback.extract_tb(mistake.__traceback__)
+    def _failure(self, error: BaseException) -> dict[str, Any]:
+        stack = traceback.extract_tb(error.__traceback__)
         own = [frame for frame in stack if frame.filename in self.files.paths]
         others = [frame for frame in stack if not frame.filename.startswith((HOME, "<frozen"))]
         where = next(reversed(own or others), None)
-        words = f"{type(mistake).__name__}: {mistake}" if str(mistake) else type(mistake).__name__
-        if isinstance(mistake, SyntaxError) and mistake.filename:
-            words = f"{mistake.filename}:{mistake.lineno}: SyntaxError: {mistake.msg}"
+        words = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+        if isinstance(error, SyntaxError) and error.filename:
+            words = f"{error.filename}:{error.lineno}: SyntaxError: {error.msg}"
         elif where is not None:
             words = f"{where.filename}:{where.lineno} in {where.name}: {words}"
         return {"message": words, "frames": [[each.filename, each.lineno or 0, each.name] for each in reversed(stack)]}

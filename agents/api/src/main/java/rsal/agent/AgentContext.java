@@ -83,7 +83,7 @@ public interface AgentContext {
     /// @throws IllegalArgumentException when the name is empty or too long, or the value is not finite
     void metric(String name, double value);
 
-    /// Says that it wants a goal for which it has no plan at all: a mistake of its author, which the outcome
+    /// Says that it wants a goal for which it has no plan at all: an error of its author, which the outcome
     /// of the run tells.
     ///
     /// @param goal in its own language: `guard(1)`

@@ -40,6 +40,6 @@ public interface AgentLanguage {
     /// @param path of it among the files
     /// @param askedAt where it is named
     /// @return a type whose key is the path
-    /// @throws InvalidSettings with the mistakes in it, or when it can't be read
+    /// @throws InvalidSettings with the errors in it, or when it can't be read
     AgentType read(String path, FileSource files, Location askedAt);
 }

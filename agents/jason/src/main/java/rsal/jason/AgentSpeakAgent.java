@@ -128,7 +128,7 @@ final class AgentSpeakAgent implements Agent {
 
     private <M> void listen(AgentContext self, Topic<M> topic) {
         self.subscribe(topic, message -> {
-            event(TEOperator.add, Heard.of(message));
+            event(TEOperator.add, TopicEvents.of(message));
             wake();
         });
     }

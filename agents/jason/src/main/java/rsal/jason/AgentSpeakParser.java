@@ -24,7 +24,7 @@ final class AgentSpeakParser extends as2j {
         Optional<String> text(String file, Location askedAt);
 
         /// There is a directive that is not read; what follows it is.
-        void refuse(InvalidSettings mistake);
+        void refuse(InvalidSettings error);
     }
 
     /// Reads a file into an agent.

@@ -42,7 +42,7 @@ final class AgentSpeakType implements AgentType {
                         .map(goal -> line(goal.toString(), goal))
                         .toList(),
                 reasoner.getPL().getPlans().stream().map(this::line).toList(),
-                review.topics().stream().map(Heard::name).toList(),
+                review.topics().stream().map(TopicEvents::name).toList(),
                 review.said().stream().map(said -> line(said.toString(), said)).toList());
     }
 

@@ -138,14 +138,14 @@ final class ExternalActions {
 
     private void publish(List<Term> terms) {
         String name = Terms.words(terms.getFirst());
-        Topic<?> topic = Heard.topic(name)
+        Topic<?> topic = TopicEvents.topic(name)
                 .orElseThrow(() -> new IllegalArgumentException("There is no topic '%s'. %s"
                         .formatted(
                                 name,
                                 Suggestion.among(
                                         name,
                                         Topics.installed().stream()
-                                                .map(Heard::name)
+                                                .map(TopicEvents::name)
                                                 .toList()))));
         publish(topic, terms.subList(1, terms.size()));
     }

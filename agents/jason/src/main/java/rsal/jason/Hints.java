@@ -28,7 +28,7 @@ final class Hints {
 
     Hints(Program program) {
         this.program = program;
-        known.add(Heard.FUNCTOR);
+        known.add(TopicEvents.FUNCTOR);
         Stream.of(PerceptBelief.values()).map(PerceptBelief::functor).forEach(known::add);
     }
 

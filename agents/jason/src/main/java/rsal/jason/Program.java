@@ -32,7 +32,7 @@ record Program(String path, Map<String, String> texts) {
     }
 
     /// @throws InvalidSettings with all files that can't be read and directives that aren't, or with the
-    /// first mistake of grammar
+    /// first error of grammar
     static Program read(String path, FileSource files, Location askedAt) {
         var reading = new Reading(files);
         parse(path, askedAt, new Reasoner(), reading);
@@ -81,8 +81,8 @@ record Program(String path, Map<String, String> texts) {
         }
 
         @Override
-        public void refuse(InvalidSettings mistake) {
-            problems.addAll(mistake);
+        public void refuse(InvalidSettings error) {
+            problems.addAll(error);
         }
     }
 
@@ -96,8 +96,8 @@ record Program(String path, Map<String, String> texts) {
             }
 
             @Override
-            public void refuse(InvalidSettings mistake) {
-                throw mistake; // none is left when it was read
+            public void refuse(InvalidSettings error) {
+                throw error; // none is left when it was read
             }
         });
     }
@@ -108,7 +108,7 @@ record Program(String path, Map<String, String> texts) {
         try {
             grammar.into(agent);
         } catch (ParseException e) {
-            throw mistake(new Location(path, grammar.line(), grammar.column()), e);
+            throw error(new Location(path, grammar.line(), grammar.column()), e);
         } catch (TokenMgrError e) {
             throw new InvalidSettings(
                     lexical(path, String.valueOf(e.getMessage())),
@@ -129,7 +129,7 @@ record Program(String path, Map<String, String> texts) {
     }
 
     /// @param near it is, as far as it was read
-    private static InvalidSettings mistake(Location near, ParseException e) {
+    private static InvalidSettings error(Location near, ParseException e) {
         String path = near.file();
         if (e.currentToken == null) { // what the parser says itself begins with the place
             Matcher said = SOURCE.matcher(String.valueOf(e.getMessage()));

@@ -116,7 +116,7 @@ final class StaticChecker {
     }
 
     private void event(Literal literal) {
-        if (literal.getFunctor().equals(Heard.FUNCTOR) && literal.getArity() == Heard.ARITY) {
+        if (literal.getFunctor().equals(TopicEvents.FUNCTOR) && literal.getArity() == TopicEvents.ARITY) {
             heard(literal);
         } else {
             formula(literal);
@@ -130,7 +130,7 @@ final class StaticChecker {
             return;
         }
         String name = Terms.words(topic);
-        Heard.topic(name)
+        TopicEvents.topic(name)
                 .ifPresentOrElse(
                         topics::add,
                         () -> problems.add(
@@ -139,7 +139,7 @@ final class StaticChecker {
                                 Suggestion.among(
                                         name,
                                         Topics.installed().stream()
-                                                .map(Heard::name)
+                                                .map(TopicEvents::name)
                                                 .toList())));
     }
 
@@ -188,13 +188,15 @@ final class StaticChecker {
     private void published(Literal literal) {
         if (!literal.getTerm(0).isVar()) {
             String name = Terms.words(literal.getTerm(0));
-            if (Heard.topic(name).isEmpty()) {
+            if (TopicEvents.topic(name).isEmpty()) {
                 problems.add(
                         program.locationOf(literal),
                         "There is no topic '%s'.".formatted(name),
                         Suggestion.among(
                                 name,
-                                Topics.installed().stream().map(Heard::name).toList()));
+                                Topics.installed().stream()
+                                        .map(TopicEvents::name)
+                                        .toList()));
             }
         }
     }

@@ -210,7 +210,7 @@ class AgentSpeakTest {
     }
 
     @Test
-    void mistakesAreToldWithFileAndLine() {
+    void errorsAreToldWithFileAndLine() {
         refuses("!go.\n+!go <- stop\n   .print(1).", "a.asl:3:4: '.print' can't stand here.", "full stop");
         refuses("!go.\n+!go <- stop", "a.asl:2:", "The file ends within");
         refuses("p(1).\n  @#$", "a.asl:2:", "This is not AgentSpeak");
@@ -260,7 +260,7 @@ class AgentSpeakTest {
     }
 
     @Test
-    void mistakesOfIncludedFilesAreToldWithTheirs() {
+    void errorsOfIncludedFilesAreToldWithTheirs() {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> Texts.type(Map.of("a.asl", "{include(\"b.asl\")}", "b.asl", "p(1")))
                 .withMessageContaining("b.asl:1:");
@@ -269,7 +269,7 @@ class AgentSpeakTest {
                 .withMessageContaining("b.asl:2:9: There is no action 'gto'.");
     }
 
-    /// Whatever is in a file, its author hears of mistakes, never of what goes on in here.
+    /// Whatever is in a file, its author hears of errors, never of what goes on in here.
     @Test
     void noTextBringsTheReaderDown() {
         String[] parts = {

@@ -41,7 +41,7 @@ final class Compiler {
     private Compiler() {}
 
     /// @return classes by their names
-    /// @throws InvalidSettings with all mistakes, each where it is
+    /// @throws InvalidSettings with all errors, each where it is
     static Map<String, byte[]> compile(Sources sources) {
         return compile(
                 sources,
@@ -57,7 +57,7 @@ final class Compiler {
                 var files = new MemoryFiles(standard)) {
             if (!compiler.getTask(Writer.nullWriter(), files, reported, options(), null, units)
                     .call()) {
-                throw mistakes(sources, reported.getDiagnostics());
+                throw errors(sources, reported.getDiagnostics());
             }
             return files.compiled();
         } catch (IOException e) {
@@ -102,7 +102,7 @@ final class Compiler {
         }
     }
 
-    private static InvalidSettings mistakes(Sources sources, List<Diagnostic<? extends JavaFileObject>> reported) {
+    private static InvalidSettings errors(Sources sources, List<Diagnostic<? extends JavaFileObject>> reported) {
         var problems = new Problems(MOST_PROBLEMS);
         for (Diagnostic<? extends JavaFileObject> one : reported) {
             if (one.getKind() == Diagnostic.Kind.ERROR) {
@@ -140,7 +140,7 @@ final class Compiler {
                 .orElseThrow();
     }
 
-    /// How well a mistake fits to a text: 0 where its line is another one, 2 where its message has the words of the
+    /// How well an error fits to a text: 0 where its line is another one, 2 where its message has the words of the
     /// text.
     private static int evidence(String text, Diagnostic<?> reported) {
         long start = reported.getStartPosition();

@@ -67,8 +67,8 @@ class CompilerTest {
             int x = "y";         | 5 | ''
             self.reportAll();   | 5 | ''
             """)
-    void tellsEachMistakeWithItsPlaceAndARemedy(String statement, int line, String remedy) {
-        InvalidSettings mistakes = catchThrowableOfType(InvalidSettings.class, () -> compile("""
+    void tellsEachErrorWithItsPlaceAndARemedy(String statement, int line, String remedy) {
+        InvalidSettings errors = catchThrowableOfType(InvalidSettings.class, () -> compile("""
                 import rsal.agent.*;
 
                 public class Mine implements Agent {
@@ -77,7 +77,7 @@ class CompilerTest {
                     }
                 }
                 """.formatted(statement)));
-        assertThat(mistakes.problems()).singleElement().satisfies(problem -> {
+        assertThat(errors.problems()).singleElement().satisfies(problem -> {
             assertThat(problem.location().file()).isEqualTo("Mine.java");
             assertThat(problem.location().line()).isEqualTo(line);
             assertThat(problem.message())
@@ -94,12 +94,12 @@ class CompilerTest {
     }
 
     @Test
-    void aMistakeInAFileThatItNeedsIsToldThere() throws IOException {
+    void anErrorInAFileThatItNeedsIsToldThere() throws IOException {
         Files.writeString(folder.resolve("Load.java"), "public record Load(dubble mass) {}");
-        InvalidSettings mistakes =
+        InvalidSettings errors =
                 catchThrowableOfType(InvalidSettings.class, () -> compile("public class Mine { Load load; }"));
-        assertThat(mistakes.problems())
-                .extracting(mistake -> mistake.location().toString())
+        assertThat(errors.problems())
+                .extracting(error -> error.location().toString())
                 .containsExactly("Load.java:1:20");
     }
 

@@ -91,10 +91,10 @@ class JavaLanguageTest {
         return java.read(name, FileSource.folder(folder), scenario);
     }
 
-    private static List<Problem> mistakes(ThrowingCallable reading) {
-        var mistakes = new ArrayList<Problem>();
-        assertThatThrownBy(reading).isInstanceOfSatisfying(InvalidSettings.class, e -> mistakes.addAll(e.problems()));
-        return mistakes;
+    private static List<Problem> errors(ThrowingCallable reading) {
+        var errors = new ArrayList<Problem>();
+        assertThatThrownBy(reading).isInstanceOfSatisfying(InvalidSettings.class, e -> errors.addAll(e.problems()));
+        return errors;
     }
 
     private static Class<?> classOf(AgentType type) {
@@ -160,23 +160,23 @@ class JavaLanguageTest {
     }
 
     @Test
-    void allMistakesAreToldWhereTheyAre() {
+    void allErrorsAreToldWhereTheyAre() {
         write("Listener.java", LISTENER.replace("subscribe", "subscrib").replace("{});", "{}); int x = \"y\";"));
-        List<Problem> mistakes = mistakes(() -> read("Listener.java"));
-        assertThat(mistakes).hasSizeGreaterThan(1).allSatisfy(mistake -> {
-            assertThat(mistake.location().file()).isEqualTo("Listener.java");
-            assertThat(mistake.location().line()).isBetween(6, 7);
-            assertThat(mistake.message()).startsWith("Java can't compile this: ");
+        List<Problem> errors = errors(() -> read("Listener.java"));
+        assertThat(errors).hasSizeGreaterThan(1).allSatisfy(error -> {
+            assertThat(error.location().file()).isEqualTo("Listener.java");
+            assertThat(error.location().line()).isBetween(6, 7);
+            assertThat(error.message()).startsWith("Java can't compile this: ");
         });
-        assertThat(mistakes.getFirst().remedy()).contains("'Load.java'");
+        assertThat(errors.getFirst().remedy()).contains("'Load.java'");
     }
 
     @Test
-    void aMistakeInAFileThatItNeedsIsToldThere() {
+    void anErrorInAFileThatItNeedsIsToldThere() {
         write("Listener.java", LISTENER);
         write("Load.java", LOAD_MESSAGE.replace("double", "dubble"));
-        assertThat(mistakes(() -> read("Listener.java")))
-                .extracting(mistake -> mistake.location().toString())
+        assertThat(errors(() -> read("Listener.java")))
+                .extracting(error -> error.location().toString())
                 .containsExactly("Load.java:3:20");
     }
 
@@ -193,7 +193,7 @@ class JavaLanguageTest {
             """)
     void whatIsNoAgentIsRefused(String text, String message) {
         write("Mine.java", text);
-        assertThat(mistakes(() -> read("Mine.java")).getFirst().toString())
+        assertThat(errors(() -> read("Mine.java")).getFirst().toString())
                 .startsWith("Mine.java")
                 .contains(message);
     }
@@ -201,20 +201,20 @@ class JavaLanguageTest {
     @Test
     void classesOfOursAreNotReplaced() {
         write("Agent.java", "package rsal.agent;\npublic interface Agent { void start(AgentContext self); }\n");
-        assertThat(mistakes(() -> read("Agent.java")).getFirst().message())
+        assertThat(errors(() -> read("Agent.java")).getFirst().message())
                 .isEqualTo("RSAL has a class 'rsal.agent.Agent' already.");
     }
 
     @Test
     void aFileThatIsNotThereIsToldWhereItIsNamed() {
-        assertThat(mistakes(() -> read("Nobody.java")).getFirst().location()).isEqualTo(scenario);
+        assertThat(errors(() -> read("Nobody.java")).getFirst().location()).isEqualTo(scenario);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"My Hunter.java", "2hunters.java", ".java", "a/b-c.java", "%41.java"})
     void aNameThatNoClassCanHaveIsRefused(String name) {
         write(name, LISTENER);
-        assertThat(mistakes(() -> read(name)).getFirst().toString()).contains("A Java file can't be called");
+        assertThat(errors(() -> read(name)).getFirst().toString()).contains("A Java file can't be called");
     }
 
     /// Else what an author says would be forgotten as soon as there is something new to say.

@@ -28,7 +28,7 @@ final class Inspection {
 
     /// `class`, `description`, `parameters` and `needs` of an agent.
     ///
-    /// @throws InvalidSettings with all mistakes in the file, or when there is no Python that could read it
+    /// @throws InvalidSettings with all errors in the file, or when there is no Python that could read it
     static Map<?, ?> of(PythonSources sources, Location askedAt) {
         Map<?, ?> found = known(new Asked(sources.path(), sources.className(), sources.text()), askedAt);
         var problems = new Problems();
@@ -50,7 +50,7 @@ final class Inspection {
         synchronized (KNOWN) {
             Map<?, ?> known = KNOWN.get(asked);
             Map<?, ?> found = known == null ? ask(asked, askedAt) : known;
-            boolean needsAnother = found.get("class") == null; // packages may be installed, and mistakes repaired
+            boolean needsAnother = found.get("class") == null; // packages may be installed, and errors repaired
             if (!needsAnother) {
                 KNOWN.putLast(asked, found);
             }

@@ -338,7 +338,7 @@ class PythonAgentIT extends RobotBench {
     }
 
     @Test
-    void aMistakeEndsOneAgentAndSaysWhere() {
+    void anErrorEndsOneAgentAndSaysWhere() {
         String body = """
                 def on_start(self):
                     self.after(1.0, self.tick, self.name)

@@ -69,7 +69,7 @@ class PythonLanguageIT {
             (rsal.Agent):                   | (object):                               | a.py:1:1: This file has no class that inherits from 'rsal.Agent'.
             needs = [Navigator]             | needs = [Navigator                      | a.py:4:13: This is not Python: '[' was never closed.
             """)
-    void mistakesSayWhereTheyAre(String right, String wrong, String message) {
+    void errorsSayWhereTheyAre(String right, String wrong, String message) {
         String text = """
                 import rsal
                 from rsal.agents.devices import Navigator

@@ -92,7 +92,7 @@ class PythonRealTimeIT {
     }
 
     @Test
-    void aMistakeEndsItAndItsLastWordsAreHeard() throws InterruptedException {
+    void anErrorEndsItAndItsLastWordsAreHeard() throws InterruptedException {
         start("amy", """
                 def on_start(self):
                     self.after(0.05, self.fail)

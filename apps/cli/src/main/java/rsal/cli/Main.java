@@ -187,7 +187,7 @@ public final class Main implements Runnable {
                 .setUsageHelpWidth(110)
                 .setUsageHelpLongOptionsMaxWidth(30)
                 .setExitCodeExceptionMapper(_ -> Exit.INTERNAL)
-                .setParameterExceptionHandler((mistake, _) -> printError(mistake))
+                .setParameterExceptionHandler((error, _) -> printError(error))
                 .setExecutionExceptionHandler(Main::printFailure);
     }
 
@@ -219,11 +219,11 @@ public final class Main implements Runnable {
                 .toList();
     }
 
-    private static int printError(ParameterException mistake) {
-        CommandLine command = mistake.getCommandLine();
-        String message = mistake instanceof UnmatchedArgumentException unmatched
+    private static int printError(ParameterException error) {
+        CommandLine command = error.getCommandLine();
+        String message = error instanceof UnmatchedArgumentException unmatched
                 ? aboutUnmatched(command, unmatched.getUnmatched().getFirst())
-                : inOurWords(String.valueOf(mistake.getMessage()));
+                : inOurWords(String.valueOf(error.getMessage()));
         command.getErr().println("rsal: " + message);
         command.getErr().println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
         return Exit.USAGE;
@@ -253,8 +253,8 @@ public final class Main implements Runnable {
     private static int printFailure(Exception failure, CommandLine command, ParseResult typed) throws IOException {
         PrintWriter err = command.getErr();
         return switch (failure) {
-            case InvalidSettings mistakes -> {
-                err.println(mistakes.getMessage());
+            case InvalidSettings errors -> {
+                err.println(errors.getMessage());
                 yield Exit.INVALID;
             }
             case Unreachable unreachable -> {
@@ -276,7 +276,7 @@ public final class Main implements Runnable {
                 yield Exit.INTERNAL;
             }
             case RunBroken broken
-            when broken.getCause() == null -> { // it says all, and is no mistake of ours
+            when broken.getCause() == null -> { // it says all, and is no error of ours
                 err.println("rsal: The run broke: " + broken.getMessage());
                 yield Exit.INTERNAL;
             }

@@ -35,7 +35,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.cli.terminal.Exit;
-import rsal.cli.terminal.Mistake;
+import rsal.cli.terminal.FileError;
 import rsal.map.Maps;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
@@ -320,7 +320,7 @@ class CommandLineIT {
     }
 
     /// @param line that is put in the place of the one that begins like it
-    record Mistake(String line, int at, String... expected) {
+    record FileError(String line, int at, String... expected) {
         String in(String scenario) {
             List<String> lines = new ArrayList<>(scenario.lines().toList());
             lines.set(at - 1, line);
@@ -328,56 +328,59 @@ class CommandLineIT {
         }
     }
 
-    static List<Mistake> mistakes() {
+    static List<FileError> errors() {
         return List.of(
-                new Mistake("wrold: {map: office}", 6, "'wrold'", "Maybe 'world'"),
-                new Mistake("world: {map: offcie}", 6, "'offcie'", "office"),
-                new Mistake("world: {map: maps/none.yaml}", 6, "none.yaml"),
-                new Mistake("  guard: {model: pioner2dx, pose: {free: true}}", 8, "'pioner2dx'", "Maybe 'pioneer2dx'"),
-                new Mistake("  guard: {count: many, model: pioneer2dx}", 8, "'many'", "whole number"),
-                new Mistake("  guard: {count: 100000, model: pioneer2dx}", 8, "'100000'", "1000"),
-                new Mistake("  guard: {model: pioneer2dx, pose: [-31.475, 0, 0]}", 8, "'guard'"),
-                new Mistake("  guard: {model: pioneer2dx, devices: {laser: urg4}}", 8, "'urg4'"),
-                new Mistake("  guard: {count: $gards, model: pioneer2dx}", 8, "'gards'", "Maybe 'guards'"),
-                new Mistake("agents: {a: {type: guardian}}\nworld: {map: office}", 6, "'guardian'"),
-                new Mistake("    - {when: tim > 20, outcome: success}", 12, "tim"),
-                new Mistake("    - {when: time > 20, outcome: sucess}", 12, "'sucess'", "Maybe 'success'"),
-                new Mistake("  - {name: collisions, from: sum(collisions)}", 14, "sum"),
-                new Mistake("faults: [{kind: gone, robots: gard}]\nworld: {map: office}", 6, "'gard'", "Maybe 'guard'"),
-                new Mistake("faults: [{kind: late, delay: -2}]\nworld: {map: office}", 6, "'faults.delay'", "not '-2'"),
-                new Mistake("world: {map: [office}", 6, "YAML"),
-                new Mistake("world: !!java.net.URL [x]", 6, "Tags"));
+                new FileError("wrold: {map: office}", 6, "'wrold'", "Maybe 'world'"),
+                new FileError("world: {map: offcie}", 6, "'offcie'", "office"),
+                new FileError("world: {map: maps/none.yaml}", 6, "none.yaml"),
+                new FileError(
+                        "  guard: {model: pioner2dx, pose: {free: true}}", 8, "'pioner2dx'", "Maybe 'pioneer2dx'"),
+                new FileError("  guard: {count: many, model: pioneer2dx}", 8, "'many'", "whole number"),
+                new FileError("  guard: {count: 100000, model: pioneer2dx}", 8, "'100000'", "1000"),
+                new FileError("  guard: {model: pioneer2dx, pose: [-31.475, 0, 0]}", 8, "'guard'"),
+                new FileError("  guard: {model: pioneer2dx, devices: {laser: urg4}}", 8, "'urg4'"),
+                new FileError("  guard: {count: $gards, model: pioneer2dx}", 8, "'gards'", "Maybe 'guards'"),
+                new FileError("agents: {a: {type: guardian}}\nworld: {map: office}", 6, "'guardian'"),
+                new FileError("    - {when: tim > 20, outcome: success}", 12, "tim"),
+                new FileError("    - {when: time > 20, outcome: sucess}", 12, "'sucess'", "Maybe 'success'"),
+                new FileError("  - {name: collisions, from: sum(collisions)}", 14, "sum"),
+                new FileError(
+                        "faults: [{kind: gone, robots: gard}]\nworld: {map: office}", 6, "'gard'", "Maybe 'guard'"),
+                new FileError(
+                        "faults: [{kind: late, delay: -2}]\nworld: {map: office}", 6, "'faults.delay'", "not '-2'"),
+                new FileError("world: {map: [office}", 6, "YAML"),
+                new FileError("world: !!java.net.URL [x]", 6, "Tags"));
     }
 
     @ParameterizedTest
-    @MethodSource("mistakes")
-    void tellsWhereAScenarioIsWrong(Mistake mistake) throws Exception {
-        Path file = Files.writeString(folder.resolve("wrong.yaml"), mistake.in(GUARD));
+    @MethodSource("errors")
+    void tellsWhereAScenarioIsWrong(FileError error) throws Exception {
+        Path file = Files.writeString(folder.resolve("wrong.yaml"), error.in(GUARD));
         Ended run = Rsal.inProcess("run", file.toString(), "--headless");
         Ended validate = Rsal.inProcess("validate", file.toString());
 
         assertThat(run.code()).isEqualTo(Exit.INVALID);
         assertThat(run.out()).isEmpty();
         assertThat(run.err())
-                .contains("wrong.yaml:%d:".formatted(mistake.at))
-                .contains(mistake.expected)
+                .contains("wrong.yaml:%d:".formatted(error.at))
+                .contains(error.expected)
                 .doesNotContain("\tat ", "Exception");
         assertThat(validate.code()).isEqualTo(Exit.INVALID);
         assertThat(validate.out())
-                .contains("wrong.yaml:%d:".formatted(mistake.at))
-                .contains(mistake.expected);
+                .contains("wrong.yaml:%d:".formatted(error.at))
+                .contains(error.expected);
     }
 
     @Test
     void startsNothingWhereAScenarioIsWrong() throws Exception {
-        Mistake mistake = mistakes().getFirst();
-        Files.writeString(folder.resolve("wrong.yaml"), mistake.in(GUARD));
+        FileError error = errors().getFirst();
+        Files.writeString(folder.resolve("wrong.yaml"), error.in(GUARD));
         Ended run = rsal.withPage().run("run", "wrong.yaml");
         assertThat(run.code()).isEqualTo(Exit.INVALID);
         assertThat(run.out()).isEmpty();
         assertThat(run.err())
-                .contains("wrong.yaml:%d:".formatted(mistake.at))
-                .contains(mistake.expected)
+                .contains("wrong.yaml:%d:".formatted(error.at))
+                .contains(error.expected)
                 .doesNotContain("\tat ", "Watch it at", "Exception");
     }
 
@@ -881,9 +884,9 @@ class CommandLineIT {
         assertThat(json.get("plans").get(1).get("line").asInt()).isEqualTo(9);
 
         Files.writeString(folder.resolve("sentry.asl"), "!guard.\n+!guard <- godo(1).");
-        Ended mistake = rsal.run("show", "sentry.asl");
-        assertThat(mistake.code()).isEqualTo(Exit.INVALID);
-        assertThat(mistake.err()).contains("sentry.asl:2:12: There is no action 'godo'.");
+        Ended error = rsal.run("show", "sentry.asl");
+        assertThat(error.code()).isEqualTo(Exit.INVALID);
+        assertThat(error.err()).contains("sentry.asl:2:12: There is no action 'godo'.");
         assertThat(rsal.run("show", "none.asl").err()).contains("There is no file 'none.asl'.");
     }
 

@@ -62,7 +62,7 @@ class GradeIT {
         handIn("bob", "this is no Java");
         handIn("carol", "while (true) {}");
         handIn("dave", "var all = new java.util.ArrayList<long[]>(); while (true) all.add(new long[1 << 20]);");
-        handIn("erin", "throw new IllegalStateException(\"my mistake\");");
+        handIn("erin", "throw new IllegalStateException(\"my error\");");
         handIn("frank", "Helper.help();");
         write("students/frank/Helper.java", "class Helper { static void help() {} }");
         write("students/frank/lab.yaml", "rsal: 1"); // replaces nothing of the teacher's
@@ -92,7 +92,7 @@ class GradeIT {
                         line -> assertThat(line).isEqualTo("carol,1,0,It did not end within 10 s."),
                         line -> assertThat(line)
                                 .isEqualTo("dave,1,0,It needs more memory than it may have (--memory)."),
-                        line -> assertThat(line).startsWith("erin,1,0,").contains("my mistake"),
+                        line -> assertThat(line).startsWith("erin,1,0,").contains("my error"),
                         line -> assertThat(line).isEqualTo("frank,1,1,"),
                         line -> assertThat(line)
                                 .startsWith("grace,1,0,There is no 'Go.java' in 'grace'. There is 'go.java'."),
@@ -110,7 +110,7 @@ class GradeIT {
     }
 
     @Test
-    void mistakesOfTheTeacherAreTold() throws Exception {
+    void errorsOfTheTeacherAreTold() throws Exception {
         handIn("alice", "");
         write("lab/none.yaml", SCENARIO.replace("Go.java", "wander"));
         assertThat(rsal("grade", "students", "--scenario", "lab/none.yaml", "--out", "out")
@@ -151,9 +151,9 @@ class GradeIT {
         assertThat(rsal("test-agent", "lab", "--seeds", "1", "--for", "0.1").out())
                 .contains("limit", "--for ended it before its own end.");
 
-        write("lab/Go.java", AGENT.formatted("throw new IllegalStateException(\"my mistake\");"));
+        write("lab/Go.java", AGENT.formatted("throw new IllegalStateException(\"my error\");"));
         Ended failed = rsal("test-agent", "lab", "--seeds", "1");
         assertThat(failed.code()).isEqualTo(4);
-        assertThat(failed.out()).contains("my mistake").contains("0 of 1 runs ended in success.");
+        assertThat(failed.out()).contains("my error").contains("0 of 1 runs ended in success.");
     }
 }

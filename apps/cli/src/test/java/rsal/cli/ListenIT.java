@@ -119,7 +119,7 @@ class ListenIT {
     }
 
     @Test
-    void mistakesAreToldBeforeARunBegins() throws Exception {
+    void errorsAreToldBeforeARunBegins() throws Exception {
         assertThat(rsal.run("certificate", "localhost").code()).isZero();
         Files.writeString(folder.resolve("other.pem"), "no key");
         Files.writeString(folder.resolve("tokens"), "watch short\n");

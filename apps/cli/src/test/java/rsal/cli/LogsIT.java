@@ -134,7 +134,7 @@ class LogsIT {
     }
 
     @Test
-    void mistakesAreTold() throws Exception {
+    void errorsAreTold() throws Exception {
         assertThat(new Rsal(folder).run("logs", "none.log").err()).contains("There is no such file.");
         Files.createDirectory(folder.resolve("folder"));
         Ended refused = new Rsal(folder).run("run", "--headless", "--for", "1", "--log", "folder");

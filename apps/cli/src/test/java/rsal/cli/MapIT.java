@@ -47,10 +47,10 @@ class MapIT {
         assertThat(log.path("next").path("meters").asDouble()).isLessThan(0.02);
         assertThat(log.path("next").path("degrees").asDouble()).isLessThan(0.5);
         assertThat(log.path("odometry").path("degrees").asDouble()).isGreaterThan(0.5);
-        JsonNode strain = reported.path("strain");
-        assertThat(strain.path("tooMuch").asBoolean(true)).isFalse();
-        assertThat(strain.path("wheels").path("deviations").asDouble()).isPositive();
-        assertThat(strain.path("steps").asInt()).isEqualTo(log.path("kept").asInt() - 1);
+        JsonNode residual = reported.path("residual");
+        assertThat(residual.path("tooLarge").asBoolean(true)).isFalse();
+        assertThat(residual.path("wheels").path("deviations").asDouble()).isPositive();
+        assertThat(residual.path("steps").asInt()).isEqualTo(log.path("kept").asInt() - 1);
         assertThat(ended.err()).doesNotContain("probably wrong");
         OccupancyGrid map =
                 new Maps(FileSource.disk()).read(folder.resolve("room/map.yaml").toString(), Location.of("test"));
@@ -75,10 +75,10 @@ class MapIT {
         assertThat(ended.err()).contains("The map is probably wrong: at (", "from keyframe 11 to 12", "Maybe");
         assertThat(ended.out()).contains("wheels, at most", "scans, at most", "no scan confirms 1 of 20 steps");
         Ended json = rsal.run("map", "carried.log", "--no-reference", "--out", "again", "--json");
-        JsonNode strain = new JsonMapper().readTree(json.out()).path("strain");
-        assertThat(strain.path("tooMuch").asBoolean()).isTrue();
-        assertThat(strain.path("all").path("from").asInt()).isEqualTo(11);
-        assertThat(strain.path("blind").asInt()).isEqualTo(1);
+        JsonNode residual = new JsonMapper().readTree(json.out()).path("residual");
+        assertThat(residual.path("tooLarge").asBoolean()).isTrue();
+        assertThat(residual.path("all").path("from").asInt()).isEqualTo(11);
+        assertThat(residual.path("blind").asInt()).isEqualTo(1);
         assertThat(json.err()).contains("probably wrong");
     }
 
@@ -101,7 +101,7 @@ class MapIT {
         assertThat(right.err()).doesNotContain("probably");
         assertThat(reported.path("logs").path(0).path("turns").path("opposed").asInt(-1))
                 .isZero();
-        assertThat(reported.path("contradiction").path("tooMuch").asBoolean(true))
+        assertThat(reported.path("contradiction").path("tooLarge").asBoolean(true))
                 .isFalse();
     }
 
@@ -226,7 +226,7 @@ class MapIT {
         assertThat(json.code()).as(json.err()).isEqualTo(Exit.SUCCESS);
         assertThat(json.err()).contains("probably wrong: 'other.log' contradicts", "at most 1.5%");
         JsonNode merged = new JsonMapper().readTree(json.out()).path("merged").path(0);
-        assertThat(merged.path("tooMuch").asBoolean()).isTrue();
+        assertThat(merged.path("tooLarge").asBoolean()).isTrue();
         assertThat(merged.path("against").asDouble()).isGreaterThan(0.015);
         assertThat(merged.path("worst").path("x").asDouble()).isBetween(5.9, 6.6);
         assertThat(merged.path("worst").path("y").asDouble()).isBetween(1.4, 2.1);

@@ -40,7 +40,7 @@ class MapTest {
         }
 
         double worstStep() {
-            return result.at("/strain/all/deviations").asDouble(Double.NaN);
+            return result.at("/residual/all/deviations").asDouble(Double.NaN);
         }
 
         void assertWhole() {

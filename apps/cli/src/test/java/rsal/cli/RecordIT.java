@@ -177,7 +177,7 @@ class RecordIT {
     }
 
     @Test
-    void mistakesAreToldBeforeAnythingRuns() throws Exception {
+    void errorsAreToldBeforeAnythingRuns() throws Exception {
         Files.writeString(folder.resolve("there.mcap"), "precious");
         Ended there = rsal.run("run", "--headless", "--for", "1", "--record", "there.mcap");
         assertThat(there.code()).isEqualTo(Exit.INVALID);

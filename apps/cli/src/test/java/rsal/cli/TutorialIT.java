@@ -93,9 +93,9 @@ class TutorialIT {
         assertThat(run.out()).contains("\"topic\":\"text\",\"said\":").doesNotContain("\"topic\":\"text\",\"said\":0");
 
         Files.writeString(folder.resolve("sentry.asl"), sentry.replace("goto(X, Y)", "godo(X, Y)"));
-        Ended mistake = rsal.run("validate", "guard.yaml");
-        assertThat(mistake.code()).isEqualTo(Exit.INVALID);
-        assertThat(mistake.out().lines())
+        Ended error = rsal.run("validate", "guard.yaml");
+        assertThat(error.code()).isEqualTo(Exit.INVALID);
+        assertThat(error.out().lines())
                 .containsAll(blocks(tutorial, "text").getFirst().lines().toList());
         assertThat(rsal.run("run", "guard.yaml", "--headless").code()).isEqualTo(Exit.INVALID);
 
@@ -114,7 +114,7 @@ class TutorialIT {
     }
 
     @Test
-    void theMistakeItProposesIsExplained() throws Exception {
+    void theErrorItProposesIsExplained() throws Exception {
         String corridor = blocks(tutorial("first-scenario.md"), "yaml").getFirst();
         Files.writeString(folder.resolve("corridor.yaml"), corridor.replace("model:", "modle:"));
         Ended ended = new Rsal(folder).run("validate", "corridor.yaml");

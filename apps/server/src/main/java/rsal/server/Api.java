@@ -76,7 +76,7 @@ public final class Api {
         control.configure(routes);
     }
 
-    /// Those that ask about a run that another one has followed meanwhile are told nothing: that is no mistake of
+    /// Those that ask about a run that another one has followed meanwhile are told nothing: that is no error of
     /// theirs.
     private void passOver(Context request) {
         String run = lookedAt(request);

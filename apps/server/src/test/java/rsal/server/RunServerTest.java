@@ -693,7 +693,7 @@ class RunServerTest {
         }
 
         @Test
-        void namesTheFieldOfEveryMistakeAtOnce() throws IOException {
+        void namesTheFieldOfEveryErrorAtOnce() throws IOException {
             LiveRun before = server.run();
             Response response = post(
                     "restart",
@@ -725,7 +725,7 @@ class RunServerTest {
                     "{\"seed\":\"1e3\"} | 1e3",
                     "{\"speed\":\"0\"} | speed",
                 })
-        void changesNothingWhenItIsMistaken(String wish, String culprit) throws IOException {
+        void changesNothingWhenItIsInvalid(String wish, String culprit) throws IOException {
             LiveRun before = server.run();
             for (String command : List.of("check", "restart")) {
                 Response response = post(command, wish);

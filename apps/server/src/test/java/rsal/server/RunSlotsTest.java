@@ -355,7 +355,7 @@ class RunSlotsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"{\"seed\":\"x\"}", "{\"configuration\":\"trio\"}", "{\"speed\":\"fast\"}"})
-    void changesNothingWhenItIsMistaken(String wish) throws IOException {
+    void changesNothingWhenItIsInvalid(String wish) throws IOException {
         assertThat(post("/api/beside", wish).status()).isEqualTo(422);
         assertThat(all()).hasSize(1);
     }

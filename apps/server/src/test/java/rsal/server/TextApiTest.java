@@ -30,7 +30,7 @@ import rsal.server.message.Json;
 import rsal.server.message.Messages.Restart;
 import rsal.server.message.Messages.ScenarioText;
 import rsal.server.message.Messages.TextCheck;
-import rsal.server.message.Messages.TextMistake;
+import rsal.server.message.Messages.TextError;
 import rsal.server.message.Messages.TextToCheck;
 import rsal.server.message.Messages.TextToSave;
 import rsal.testkit.LongTest;
@@ -121,17 +121,17 @@ class TextApiTest {
     }
 
     @Test
-    void tellsLineAndColumnOfEachMistakeInAnyConfiguration() throws IOException {
+    void tellsLineAndColumnOfEachErrorInAnyConfiguration() throws IOException {
         TextCheck good = check(Optional.of(own.toString()), OWN);
-        assertThat(good.mistakes()).isEmpty();
+        assertThat(good.errors()).isEmpty();
         assertThat(good.configurations()).extracting(one -> one.name()).containsExactly("plain", "many");
 
         TextCheck bad =
                 check(Optional.empty(), OWN.replace("pioneer2dx", "pioneer9").replace("count: 2", "count: 0"));
         assertThat(bad.configurations()).hasSize(2);
-        assertThat(bad.mistakes()).extracting(TextMistake::line).contains(6, 10);
-        TextMistake model = bad.mistakes().stream()
-                .filter(mistake -> mistake.line() == 6)
+        assertThat(bad.errors()).extracting(TextError::line).contains(6, 10);
+        TextError model = bad.errors().stream()
+                .filter(error -> error.line() == 6)
                 .findFirst()
                 .orElseThrow();
         assertThat(model.file()).isEqualTo(own.toString());
@@ -141,9 +141,9 @@ class TextApiTest {
 
         TextCheck broken = check(Optional.of("patrol"), "rsal: 1\nworld: {map: office");
         assertThat(broken.configurations()).isEmpty();
-        assertThat(broken.mistakes())
+        assertThat(broken.errors())
                 .singleElement()
-                .satisfies(mistake -> assertThat(mistake.message()).contains("not YAML"));
+                .satisfies(error -> assertThat(error.message()).contains("not YAML"));
     }
 
     @Test
@@ -206,7 +206,7 @@ class TextApiTest {
             }
             assertThat(refused).isBetween(1, 23);
         }
-        assertThat(check(Optional.empty(), OWN).mistakes()).isEmpty();
+        assertThat(check(Optional.empty(), OWN).errors()).isEmpty();
     }
 
     @Test
@@ -276,7 +276,7 @@ class TextApiTest {
                         .status())
                 .isEqualTo(413);
         String large = OWN + "#".repeat(Http.MAX_TEXT - 2 * OWN.length());
-        assertThat(check(Optional.empty(), large).mistakes()).isEmpty();
+        assertThat(check(Optional.empty(), large).errors()).isEmpty();
         assertThat(save(own.toString(), OWN, large).status()).isEqualTo(200);
         assertThat(save(own.toString(), large, large + "#").status()).isEqualTo(200);
     }

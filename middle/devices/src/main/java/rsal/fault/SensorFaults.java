@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
-import rsal.data.Erring;
+import rsal.data.Perturbable;
 import rsal.data.Stamped;
 import rsal.device.Battery;
 import rsal.device.BlobFinder;
@@ -66,7 +66,7 @@ public final class SensorFaults<T> {
 
     private static Optional<String> refusal(DeviceKind kind, Fault.OfSensor fault) {
         boolean error = fault instanceof Fault.Biased || fault instanceof Fault.Noisy;
-        return error && !Erring.class.isAssignableFrom(kind.reads())
+        return error && !Perturbable.class.isAssignableFrom(kind.reads())
                 ? Optional.of("No errors can be added to its readings, so that it can only be dead or frozen.")
                 : Optional.empty();
     }
@@ -120,8 +120,8 @@ public final class SensorFaults<T> {
     private static <T> T wrong(Active active, T value) {
         return switch (active.fault) {
             case Fault.Dead _, Fault.Frozen _ -> value;
-            case Fault.Biased bias -> Mistaken.reading(value, Mistaken.Miss.of(bias));
-            case Fault.Noisy noise -> Mistaken.reading(value, Mistaken.Miss.of(noise, active.random));
+            case Fault.Biased bias -> ReadingErrors.reading(value, ReadingErrors.Miss.of(bias));
+            case Fault.Noisy noise -> ReadingErrors.reading(value, ReadingErrors.Miss.of(noise, active.random));
         };
     }
 }

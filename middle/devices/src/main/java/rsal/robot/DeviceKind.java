@@ -6,7 +6,7 @@ import rsal.settings.Plugin;
 /// A kind of devices that robots carry, as an IMU: registered once, by [java.util.ServiceLoader], and known
 /// everywhere. Part files name it as their `type` and set its parameters. Its readings are records: recordings,
 /// tables and the page take their fields from them. Faults can silence or freeze it; errors can be added to
-/// readings that are [rsal.data.Erring].
+/// readings that are [rsal.data.Perturbable].
 ///
 /// Who makes its devices is registered by the robot system, as that of the simulator by
 /// `rsal.sim.device.SimulatedKind`.

@@ -120,7 +120,7 @@ public final class BodyReader {
         }
     }
 
-    /// `[[x, y], …]`; none when a mistake was noted.
+    /// `[[x, y], …]`; none when an error was noted.
     public List<Point2d> points(Section piece, String key) {
         List<Value> items = piece.list(key).orElse(List.of());
         if (items.isEmpty() || items.size() > limits.corners) {

@@ -146,7 +146,7 @@ public final class RobotModels {
     ///
     /// @param body that was read already
     /// @param section of which all but the `body` is read, like a model file
-    /// @throws InvalidSettings with its mistakes, and those that were noted before
+    /// @throws InvalidSettings with its errors, and those that were noted before
     public RobotModel read(String name, Solid body, Section section, Map<String, Choice> choices) {
         section.has("body");
         return read(name, section.text("title", name), body, section, choices);

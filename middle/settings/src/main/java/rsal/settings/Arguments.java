@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /// Values for a list of parameters, checked, with fallbacks filled in. Asking for what was not declared is a
-/// mistake of the code.
+/// error of the code.
 public final class Arguments {
     private final Map<String, Object> values;
 
@@ -52,17 +52,17 @@ public final class Arguments {
     /// @throws IllegalArgumentException with sentences about all values that are wrong
     public static Arguments parse(List<Parameter<?>> parameters, Map<String, ?> typed) {
         var values = new LinkedHashMap<String, Object>(typed);
-        var mistakes = new ArrayList<String>();
+        var errors = new ArrayList<String>();
         for (Parameter<?> parameter : parameters) {
             try {
                 values.computeIfPresent(
                         parameter.name(), (_, value) -> value instanceof String text ? parameter.parse(text) : value);
             } catch (IllegalArgumentException e) {
-                mistakes.add(e.getMessage());
+                errors.add(e.getMessage());
             }
         }
-        if (!mistakes.isEmpty()) {
-            throw new IllegalArgumentException(String.join(" ", mistakes));
+        if (!errors.isEmpty()) {
+            throw new IllegalArgumentException(String.join(" ", errors));
         }
         return of(parameters, values);
     }

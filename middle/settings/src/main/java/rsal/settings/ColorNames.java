@@ -42,7 +42,7 @@ public final class ColorNames {
                 .orElse("Names are those of X11, such as red, orange or gray30.");
     }
 
-    /// What a setting says; a mistake is noted when that is no color.
+    /// What a setting says; an error is noted when that is no color.
     ///
     /// @param read the setting, or one of those that it lists
     public static Optional<Rgb> read(Section section, String key, Value read) {

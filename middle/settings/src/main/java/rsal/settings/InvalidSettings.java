@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/// What a person wrote can't be used. The message lists every mistake, a line or two each, from top to bottom, and then
+/// What a person wrote can't be used. The message lists every error, a line or two each, from top to bottom, and then
 /// what is only warned of, ready to be shown.
 public final class InvalidSettings extends RuntimeException {
     private static final long serialVersionUID = 1;
@@ -18,13 +18,12 @@ public final class InvalidSettings extends RuntimeException {
 
     /// @param warnings what was found besides, and would not be in the way
     public InvalidSettings(List<Problem> problems, List<Problem> warnings) {
-        List<Problem> mistakes = Problem.inReadingOrder(problems);
+        List<Problem> errors = Problem.inReadingOrder(problems);
         List<Problem> besides = Problem.inReadingOrder(warnings);
         super(Stream.concat(
-                        mistakes.stream().map(Problem::toString),
-                        besides.stream().map(warning -> "Warning: " + warning))
+                        errors.stream().map(Problem::toString), besides.stream().map(warning -> "Warning: " + warning))
                 .collect(Collectors.joining("\n")));
-        this.problems = mistakes;
+        this.problems = errors;
         this.warnings = besides;
     }
 
@@ -32,7 +31,7 @@ public final class InvalidSettings extends RuntimeException {
         this(List.of(new Problem(location, message, remedy)));
     }
 
-    /// The same mistakes in files beside another one, with paths as a person knows that one: `lab/Hunter.java`.
+    /// The same errors in files beside another one, with paths as a person knows that one: `lab/Hunter.java`.
     ///
     /// @param named where the files are named, by their paths from the folder of that file
     public InvalidSettings beside(Location named) {
@@ -50,12 +49,12 @@ public final class InvalidSettings extends RuntimeException {
                                 .toList());
     }
 
-    /// The mistakes, file by file, each from top to bottom.
+    /// The errors, file by file, each from top to bottom.
     public List<Problem> problems() {
         return problems;
     }
 
-    /// What was found besides the mistakes, and would not be in the way.
+    /// What was found besides the errors, and would not be in the way.
     public List<Problem> warnings() {
         return warnings;
     }

@@ -11,7 +11,7 @@ public interface PluginFiles {
     ///
     /// @param name as it is written; maybe that of an installed plugin
     /// @return empty when this is not the name of a plugin's file
-    /// @throws InvalidSettings with the mistakes in the file, or when it can't be read
+    /// @throws InvalidSettings with the errors in the file, or when it can't be read
     Optional<Plugin> read(PluginKind kind, String name, Location askedAt);
 
     /// Whether a plugin stands in place of one that is not read, so that nobody knows what can be set of it.

@@ -17,11 +17,11 @@ public interface PluginLanguage {
     /// @param what to call it in messages: `metric`
     /// @param path of the file among the files
     /// @param askedAt where it is named
-    /// @throws InvalidSettings with the mistakes in it, or when it can't be read
+    /// @throws InvalidSettings with the errors in it, or when it can't be read
     <T> T read(Class<T> kind, String what, String path, FileSource files, Location askedAt);
 
     /// Whether the class in a file is of a kind. Makes nothing of it.
     ///
-    /// @throws InvalidSettings with the mistakes in it, or when it can't be read
+    /// @throws InvalidSettings with the errors in it, or when it can't be read
     boolean isOf(Class<?> kind, String path, FileSource files, Location askedAt);
 }

@@ -4,7 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.regex.Pattern;
 
-/// One mistake in a file: where, what was read and expected, and what to try.
+/// One error in a file: where, what was read and expected, and what to try.
 ///
 /// @param message a sentence naming the thing and its value
 /// @param remedy what to try; empty when nobody can tell

@@ -6,7 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 
-/// Collects the mistakes of a document, so that its author hears of all of them at once.
+/// Collects the errors of a document, so that its author hears of all of them at once.
 public final class Problems {
     private final List<Problem> problems = new ArrayList<>();
     private final Set<Problem> warnings = new LinkedHashSet<>();
@@ -37,12 +37,12 @@ public final class Problems {
     }
 
     /// Adds those of something that was read on the way, with what is only warned of there.
-    public void addAll(InvalidSettings mistakes) {
-        warnings.addAll(mistakes.warnings());
-        mistakes.problems().forEach(this::add);
+    public void addAll(InvalidSettings errors) {
+        warnings.addAll(errors.warnings());
+        errors.problems().forEach(this::add);
     }
 
-    /// Notes what is no mistake, to be told together with those that are.
+    /// Notes what is no error, to be told together with those that are.
     public void warn(Problem warning) {
         warnings.add(warning);
     }
@@ -73,8 +73,8 @@ public final class Problems {
     /// @throws InvalidSettings when there is any
     public void throwIfAny() {
         if (!problems.isEmpty()) {
-            List<Problem> mistakes = problems.stream().distinct().toList(); // many may have read the same place
-            throw new InvalidSettings(mistakes, List.copyOf(warnings));
+            List<Problem> errors = problems.stream().distinct().toList(); // many may have read the same place
+            throw new InvalidSettings(errors, List.copyOf(warnings));
         }
     }
 }

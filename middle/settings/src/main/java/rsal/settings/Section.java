@@ -11,7 +11,7 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import rsal.data.Pose2d;
 
-/// Reads one group of settings strictly: what is asked for is known, what is left over is a mistake. A value that
+/// Reads one group of settings strictly: what is asked for is known, what is left over is an error. A value that
 /// is wrong or missing is noted in the problems and replaced by a harmless one, so that reading goes on and the
 /// rest is checked, too.
 public final class Section {
@@ -279,7 +279,7 @@ public final class Section {
         problem(read.location(), "'%s' must be %s, not %s.".formatted(path(key), what, read.describe()), "");
     }
 
-    /// Everything known has been asked for: what is left over is a mistake.
+    /// Everything known has been asked for: what is left over is an error.
     public void done() {
         mergeMissing();
         for (String key : mapping.entries().keySet()) {
@@ -296,7 +296,7 @@ public final class Section {
 
     /// As [#done], for files that other programs read, too: what nobody asked for is theirs, which is only warned of.
     /// It
-    /// is a mistake still where something must be given that is called almost the same.
+    /// is an error still where something must be given that is called almost the same.
     public void doneWithOthers() {
         mergeMissing();
         for (String key : mapping.entries().keySet()) {
@@ -336,7 +336,7 @@ public final class Section {
         return value;
     }
 
-    /// Of a group that is left out whole, what it lacks is one mistake, groups that it would have included.
+    /// Of a group that is left out whole, what it lacks is one error, groups that it would have included.
     private void mergeMissing() {
         if (!absent) {
             return;

@@ -1,5 +1,5 @@
 /// Settings that people write: declared once as [rsal.settings.Parameter], handed on as [rsal.settings.Arguments].
-/// Every mistake says where it is, what was read, what was expected and, where it can, what was meant.
+/// Every error says where it is, what was read, what was expected and, where it can, what was meant.
 @NullMarked
 package rsal.settings;
 

@@ -19,10 +19,10 @@ class ProblemTest {
         var first = new Problem(new Location("a.yaml", 2, 9), "a", "");
         var next = new Problem(new Location("a.yaml", 7, 1), "b", "");
         var included = new Problem(new Location("b.yaml", 1, 1), "e", "");
-        var mistakes = new InvalidSettings(List.of(last, first, typed, next, included), List.of(last, first));
-        assertThat(mistakes.problems()).containsExactly(first, next, last, typed, included);
-        assertThat(mistakes.warnings()).containsExactly(first, last);
-        assertThat(mistakes).hasMessage("""
+        var errors = new InvalidSettings(List.of(last, first, typed, next, included), List.of(last, first));
+        assertThat(errors.problems()).containsExactly(first, next, last, typed, included);
+        assertThat(errors.warnings()).containsExactly(first, last);
+        assertThat(errors).hasMessage("""
                 a.yaml:2:9: a
                 a.yaml:7:1: b
                 a.yaml:7:3: c
@@ -34,14 +34,14 @@ class ProblemTest {
 
     @Test
     void filesBesideAnotherHaveItsFolder() {
-        var mistakes = new InvalidSettings(List.of(
+        var errors = new InvalidSettings(List.of(
                 new Problem(new Location("Hunter.java", 5, 1), "It is wrong.", ""),
                 new Problem(new Location("lab/lab.yaml", 3, 1), "It is wrong.", ""),
                 new Problem(Location.of("/rsal/Hunter.java"), "It is wrong.", "")));
 
-        assertThat(mistakes.beside(new Location("lab/lab.yaml", 3, 9)).problems())
+        assertThat(errors.beside(new Location("lab/lab.yaml", 3, 9)).problems())
                 .extracting(problem -> problem.location().toString())
                 .containsExactly("lab/Hunter.java:5:1", "lab/lab.yaml:3:1", "/rsal/Hunter.java");
-        assertThat(mistakes.beside(Location.of("lab.yaml"))).isSameAs(mistakes);
+        assertThat(errors.beside(Location.of("lab.yaml"))).isSameAs(errors);
     }
 }

@@ -24,6 +24,6 @@ public interface SceneFormat {
     /// @param path of the file, as a person writes it
     /// @param files where it and what it names is
     /// @param seed for what the file leaves to chance
-    /// @throws InvalidSettings with all mistakes of the file
+    /// @throws InvalidSettings with all errors of the file
     Scene read(String path, FileSource files, long seed);
 }

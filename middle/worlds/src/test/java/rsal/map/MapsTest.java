@@ -197,7 +197,7 @@ class MapsTest {
     }
 
     @Test
-    void aMistakeIsToldOnceAndByItsName() throws IOException {
+    void anErrorIsToldOnceAndByItsName() throws IOException {
         write("lab.yaml", LAB.replace("0.5", ".nan").replace("[-1, -2, 0]", "[.nan, -2, 0]"));
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> maps.read("lab.yaml", HERE))

@@ -50,7 +50,7 @@ final class SdfWorldReader {
         this.makes = new SdfRobotMaker(bodies, notes);
     }
 
-    /// @throws InvalidSettings with the first mistake
+    /// @throws InvalidSettings with the first error
     Scene scene() {
         String title = read();
         warnOfOverlaps();
@@ -73,7 +73,7 @@ final class SdfWorldReader {
 
     /// Reads all that is in it, and returns its name.
     ///
-    /// @throws InvalidSettings with the first mistake
+    /// @throws InvalidSettings with the first error
     String read() {
         XmlElement root = files.world();
         if (!root.name().equals("sdf")) {

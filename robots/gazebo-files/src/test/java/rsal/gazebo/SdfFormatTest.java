@@ -125,12 +125,12 @@ class SdfFormatTest {
     }
 
     @Test
-    void aFrameInACircleIsAMistake() {
+    void aFrameInACircleIsAnError() {
         assertThat(Worlds.of("""
                         <frame name="a"><pose relative_to="b"/></frame><frame name="b" attached_to="a"/>
-                        <model name="m"><pose relative_to="a">0 0 0 0 0 0</pose></model>""").mistake()).isEqualTo("Frame 'a' is relative to itself, or to too many others.");
+                        <model name="m"><pose relative_to="a">0 0 0 0 0 0</pose></model>""").error()).isEqualTo("Frame 'a' is relative to itself, or to too many others.");
         assertThat(Worlds.of("<model name=\"m\"><pose relative_to=\"c\">0 0 0 0 0 0</pose></model>")
-                        .mistake())
+                        .error())
                 .isEqualTo("There is no frame 'c' here.");
     }
 
@@ -185,11 +185,11 @@ class SdfFormatTest {
     }
 
     @Test
-    void aModelThatIncludesItselfIsAMistake() {
+    void aModelThatIncludesItselfIsAnError() {
         assertThat(Worlds.of("<include><uri>model://m</uri></include>")
                         .and("worlds/m/model.sdf", """
                                 <sdf version='1.7'><model name='m'><include><uri>model://m</uri></include></model></sdf>""")
-                        .mistake())
+                        .error())
                 .isEqualTo("Models are nested deeper than 16.");
     }
 
@@ -281,27 +281,27 @@ class SdfFormatTest {
     }
 
     @Test
-    void mistakesSayWhereTheyAre() {
-        assertThat(Worlds.of(Worlds.model("m", "<pose>1 2 3</pose>", BOX)).mistake())
+    void errorsSayWhereTheyAre() {
+        assertThat(Worlds.of(Worlds.model("m", "<pose>1 2 3</pose>", BOX)).error())
                 .isEqualTo("'pose' must be 6 numbers, not '1 2 3'.");
         assertThat(Worlds.of(Worlds.model("m", "", "<box><size>1 1 -1</size></box>"))
-                        .mistake())
+                        .error())
                 .isEqualTo("'size' must be from 0 to 100000 m, not -1.0.");
-        assertThat(Worlds.of(Worlds.model("m", "", "<sphere/>")).mistake()).isEqualTo("This 'sphere' has no 'radius'.");
+        assertThat(Worlds.of(Worlds.model("m", "", "<sphere/>")).error()).isEqualTo("This 'sphere' has no 'radius'.");
         assertThat(Worlds.of("")
                         .and("worlds/test.sdf", "<sdf version='1.9'><model name='m'/></sdf>")
-                        .mistake())
+                        .error())
                 .isEqualTo("There is no 'world' in this file.");
-        assertThat(Worlds.of("").and("worlds/test.sdf", "<robot/>").mistake())
+        assertThat(Worlds.of("").and("worlds/test.sdf", "<robot/>").error())
                 .isEqualTo("This is no world of Gazebo: it begins with 'robot', not 'sdf'.");
-        assertThat(Worlds.of("<model name='a'>").mistake()).startsWith("This is no XML: ");
+        assertThat(Worlds.of("<model name='a'>").error()).startsWith("This is no XML: ");
     }
 
     @Test
     void declarationsAreNotFollowed() {
         assertThat(Worlds.of("").and("worlds/test.sdf", """
                         <?xml version="1.0"?><!DOCTYPE sdf [<!ENTITY a SYSTEM "file:///etc/passwd">]>
-                        <sdf version="1.9"><world name="&a;"/></sdf>""").mistake()).startsWith("This is no XML: ");
+                        <sdf version="1.9"><world name="&a;"/></sdf>""").error()).startsWith("This is no XML: ");
     }
 
     @Test

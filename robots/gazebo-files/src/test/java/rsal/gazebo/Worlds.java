@@ -73,7 +73,7 @@ final class Worlds {
     }
 
     /// What is wrong with it.
-    String mistake() {
+    String error() {
         try {
             read();
             return "";

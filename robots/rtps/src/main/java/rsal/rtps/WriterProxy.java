@@ -33,7 +33,7 @@ final class WriterProxy implements SampleReader.Source {
     private final AssemblyBudget budget;
     private final SampleReader.Receiver receiver;
     private final TreeMap<Long, Arrival> early = new TreeMap<>(); // or refused
-    private final TreeMap<Long, Assembly> incomplete = new TreeMap<>();
+    private final TreeMap<Long, FragmentedSample> incomplete = new TreeMap<>();
     private int earlyBytes;
     private long next = 1; // that is to be delivered
     private long floor = 1; // what is below it and has not come never comes
@@ -215,13 +215,13 @@ final class WriterProxy implements SampleReader.Source {
             leaveOut(number); // it is never asked for again
             return;
         }
-        Assembly assembly = incomplete.get(number);
+        FragmentedSample assembly = incomplete.get(number);
         if (assembly == null) {
             boolean fits = !isRefusing || fitsEarly(part.sampleSize());
             if (!fits || !hasRoom(number) || !budget.take(part.sampleSize())) {
                 return;
             }
-            assembly = new Assembly(part);
+            assembly = new FragmentedSample(part);
             incomplete.put(number, assembly);
         }
         assembly.add(part, now);
@@ -251,7 +251,7 @@ final class WriterProxy implements SampleReader.Source {
     }
 
     private void drop(long number) {
-        Assembly assembly = incomplete.remove(number);
+        FragmentedSample assembly = incomplete.remove(number);
         if (assembly != null) {
             budget.give(assembly.bytes());
         }
@@ -320,7 +320,7 @@ final class WriterProxy implements SampleReader.Source {
     long due() {
         long earliest = due;
         if (!incomplete.isEmpty()) { // which is rare, and this is called for each heartbeat
-            for (Assembly assembly : incomplete.values()) {
+            for (FragmentedSample assembly : incomplete.values()) {
                 earliest = Math.min(earliest, assembly.grown() + INCOMPLETE_FOR);
             }
         }
@@ -376,7 +376,7 @@ final class WriterProxy implements SampleReader.Source {
                         .filter(number -> !early.containsKey(number) && !incomplete.containsKey(number)));
     }
 
-    private static Optional<NumberSet> missing(Assembly assembly) {
+    private static Optional<NumberSet> missing(FragmentedSample assembly) {
         return assembly.missing().boxed().findFirst().map(first -> NumberSet.of(first, assembly.missing()));
     }
 

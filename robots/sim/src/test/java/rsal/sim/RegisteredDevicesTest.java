@@ -13,7 +13,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rsal.data.Erring;
+import rsal.data.Perturbable;
 import rsal.data.Pose2d;
 import rsal.data.Stamped;
 import rsal.data.Twist2d;
@@ -104,7 +104,7 @@ class RegisteredDevicesTest {
     void errorsAreAddedWhereReadingsCanErr(DeviceKind kind) {
         SimRun run = with(kind);
         var bias = new Fault.Biased(0.5, 0.2);
-        if (Erring.class.isAssignableFrom(kind.reads())) {
+        if (Perturbable.class.isAssignableFrom(kind.reads())) {
             faults(run).begin("r1", "it", bias, new SplittableRandom(3));
             Object biased = readings(run, kind, 1).getLast().value();
             assertThat(biased)

@@ -12,13 +12,13 @@ import rsal.stage.Units.Kind;
 /// @param bounds of its lengths [m] and of its numbers that are neither lengths nor angles
 /// @param parts one for each number
 record Form(String shape, String meaning, ValueRange bounds, List<Part> parts) {
-    /// Coordinates beyond are mistakes [m].
+    /// Coordinates beyond are errors [m].
     static final double FARTHEST = 1e6;
 
     /// The least number that is positive.
     static final double ABOVE_0 = Double.MIN_VALUE;
 
-    /// Numbers beyond are mistakes: lengths in m, angles in the unit that the world has.
+    /// Numbers beyond are errors: lengths in m, angles in the unit that the world has.
     static final ValueRange ANY = new ValueRange(-1e9, 1e9);
 
     static final Form POSE = of(

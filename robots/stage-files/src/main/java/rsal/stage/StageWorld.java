@@ -31,7 +31,7 @@ public record StageWorld(
     /// Reads a `.world` file and all that it includes.
     ///
     /// @param path as a person writes it; messages call it so
-    /// @throws InvalidSettings with all mistakes that could be found, each with its file and line
+    /// @throws InvalidSettings with all errors that could be found, each with its file and line
     public static StageWorld read(String path, WorldFiles files) {
         var findings = new WorldProblems();
         WorldFile file = WorldFile.read(path, files, findings);

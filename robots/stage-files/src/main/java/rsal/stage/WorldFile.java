@@ -32,7 +32,7 @@ import rsal.stage.WorldfileEntity.Setting;
 public record WorldFile(WorldfileEntity root, Set<String> known, boolean complete) {
 
     /// @param path of the world
-    /// @param findings takes all mistakes that leave something to read
+    /// @param findings takes all errors that leave something to read
     /// @throws InvalidSettings when there is no such file, or too much of anything
     static WorldFile read(String path, WorldFiles files, WorldProblems findings) {
         return read(path, files, findings, Dialect.STAGE);
@@ -50,7 +50,7 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
         return new WorldFile(root, parser.macros.known(), complete);
     }
 
-    /// Recursive descent; on a mistake it tells and goes on behind it.
+    /// Recursive descent; on an error it tells and goes on behind it.
     private static final class Parser {
         private static final String FINITE = "Only finite numbers can be written.";
 
@@ -317,10 +317,8 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
         }
 
         /// Goes on in the next line, or where a bracket of an entity must be counted.
-        private void skipLine(Token mistake) {
-            while (next < tokens.size()
-                    && onLine(tokens.get(next), mistake)
-                    && !Token.isBracket(tokens.get(next), ')')) {
+        private void skipLine(Token error) {
+            while (next < tokens.size() && onLine(tokens.get(next), error) && !Token.isBracket(tokens.get(next), ')')) {
                 if (Token.isBracket(tokens.get(next), '(')) {
                     next++;
                     skipBody();

@@ -113,7 +113,7 @@ class WorldBoundsIT {
     @Test
     void longNamesAreCutInMessages() {
         assertThat(Worlds.of("model ( %s )".formatted("x".repeat(100_000)))
-                        .mistakes()
+                        .errors()
                         .getFirst())
                 .hasSizeLessThan(200);
     }
@@ -123,9 +123,9 @@ class WorldBoundsIT {
     }
 
     private static void refused(Worlds worlds, String... messages) {
-        var mistakes = Assertions.assertTimeoutPreemptively(Duration.ofSeconds(60), worlds::mistakes);
-        assertThat(mistakes).isNotEmpty();
+        var errors = Assertions.assertTimeoutPreemptively(Duration.ofSeconds(60), worlds::errors);
+        assertThat(errors).isNotEmpty();
         assertThat(messages)
-                .anySatisfy(message -> assertThat(String.join("\n", mistakes)).contains(message));
+                .anySatisfy(message -> assertThat(String.join("\n", errors)).contains(message));
     }
 }

@@ -79,7 +79,7 @@ class HuntAndPreyIT {
         assertThat(hunt.result.outcome()).isEqualTo("success");
         assertThat(hunt.result.failed()).isEmpty();
         assertThat(hunt.result.metrics().get("captureDistance").getAsDouble())
-                .isLessThan(1.7); // prey and hunter mistake where they are
+                .isLessThan(1.7); // prey and hunter error where they are
         assertThat(hunt.result.metrics().get("wallCollisions").getAsDouble()).isZero();
         assertThat(hunt("jason", seed, 2).result.eventHash())
                 .as("seed %d again, on more threads", seed)

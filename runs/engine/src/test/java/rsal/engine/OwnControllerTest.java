@@ -160,7 +160,7 @@ class OwnControllerTest {
     }
 
     @Test
-    void mistakesAreToldWithTheirPlace() throws IOException {
+    void errorsAreToldWithTheirPlace() throws IOException {
         refuses(
                 SCENARIO.replace("speed: 0.1", "sped: 0.1"),
                 "scenario.yaml:12:",

@@ -170,7 +170,7 @@ class OwnMetricTest {
     }
 
     @Test
-    void theirMistakesAreTheScenarios() throws IOException {
+    void theirErrorsAreTheScenarios() throws IOException {
         refuses(SCENARIO.replace("Looks.java", "Loks.java"), "scenario.yaml:12:12: ", "Loks.java");
         refuses(SCENARIO.replace("Looks.java", "loks"), "scenario.yaml:12:12: There is no metric 'loks'.");
         refuses(SCENARIO.replace("scale: $scale", "scal: 3"), "'scal' is not known", "Maybe 'scale'");
@@ -191,7 +191,7 @@ class OwnMetricTest {
                 .isThrownBy(() -> plan(SCENARIO))
                 .satisfies(e -> assertThat(e.problems())
                         .singleElement() // what follows from it is not told
-                        .satisfies(mistake -> assertThat(mistake.toString()).contains("Looks.java:38:21", "loks")));
+                        .satisfies(error -> assertThat(error.toString()).contains("Looks.java:38:21", "loks")));
     }
 
     /// Of a recording the plan can be looked at, also where conditions ask for what only the metric knows.

@@ -49,7 +49,7 @@ public record Blueprint(
 
     /// The run of an episode.
     ///
-    /// @throws rsal.settings.InvalidSettings when the scenario has mistakes
+    /// @throws rsal.settings.InvalidSettings when the scenario has errors
     /// @throws IllegalArgumentException when no robot has the role of the learners
     RunPlan plan(long seed, LearnerType learners) {
         RunPlan plan = scenario.plan(options.withSeed(seed).withSpeed(Double.POSITIVE_INFINITY));

@@ -35,8 +35,8 @@ public final class EnvironmentSession implements AutoCloseable {
     public record Answer(Map<String, Object> words, List<Object> arrays) {}
 
     /// @param actions the array of the request; empty without one
-    /// @throws rsal.settings.InvalidSettings when the scenario has mistakes
-    /// @throws IllegalArgumentException in a sentence for people, for all other mistakes
+    /// @throws rsal.settings.InvalidSettings when the scenario has errors
+    /// @throws IllegalArgumentException in a sentence for people, for all other errors
     public Answer answer(Map<?, ?> words, float[] actions) {
         String request = text(words, "request", "");
         return switch (request) {

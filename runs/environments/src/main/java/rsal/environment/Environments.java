@@ -31,8 +31,8 @@ public final class Environments {
     /// @param observed each with its `type` and parameters
     /// @param acted its `type` and parameters
     /// @param steps of the scenario in a step of the environment
-    /// @throws rsal.settings.InvalidSettings when the scenario has mistakes
-    /// @throws IllegalArgumentException in a sentence for people, for all other mistakes
+    /// @throws rsal.settings.InvalidSettings when the scenario has errors
+    /// @throws IllegalArgumentException in a sentence for people, for all other errors
     public Blueprint read(
             String scenario,
             RunOptions options,

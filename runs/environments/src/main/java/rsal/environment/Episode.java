@@ -67,7 +67,7 @@ public final class Episode implements AutoCloseable {
     /// stand:
     /// after it, all sensors have measured.
     ///
-    /// @throws rsal.settings.InvalidSettings when the scenario has mistakes
+    /// @throws rsal.settings.InvalidSettings when the scenario has errors
     /// @throws IllegalArgumentException when a robot lacks what an observation or an action needs
     public static Episode begin(Blueprint blueprint, long seed) {
         var type = new LearnerType();

@@ -33,7 +33,7 @@ public final class Worlds implements AutoCloseable {
     ///
     /// @param seeds of the first episodes, one for each world
     /// @param threads that simulate at once
-    /// @throws rsal.settings.InvalidSettings when the scenario has mistakes
+    /// @throws rsal.settings.InvalidSettings when the scenario has errors
     /// @throws IllegalArgumentException when a robot lacks what an observation or an action needs
     public Worlds(Blueprint blueprint, long[] seeds, int threads) {
         if (seeds.length < 1 || seeds.length > MOST) {

@@ -169,7 +169,7 @@ class WorldsTest {
     }
 
     @Test
-    void choicesDriveAndMistakesSayWhatIsWrong() {
+    void choicesDriveAndErrorsSayWhatIsWrong() {
         List<Map<String, Object>> velocity = List.of(Map.of("type", "velocity"));
         Blueprint discrete = blueprint(Map.of("type", "discrete", "speed", 0.3), velocity);
         try (var worlds = new Worlds(discrete, new long[] {7}, 1)) {

@@ -22,7 +22,7 @@ import rsal.scenario.text.Folders;
 /// @param eventHash equal for equal runs; empty when it broke
 /// @param metrics by name; empty where there was nothing to measure
 /// @param outOfBounds names of the metrics that are not within the bounds the scenario gives
-/// @param failedAgents what went wrong with agents that ended by a mistake of their own, by name
+/// @param failedAgents what went wrong with agents that ended by an error of their own, by name
 public record Row(
         int run,
         int combination,
@@ -67,7 +67,7 @@ public record Row(
                 failed(result));
     }
 
-    /// An agent without a plan for a goal has made a mistake, too.
+    /// An agent without a plan for a goal has made an error, too.
     private static Map<String, String> failed(RunResult result) {
         var failed = new LinkedHashMap<String, String>();
         result.unhandledGoals()

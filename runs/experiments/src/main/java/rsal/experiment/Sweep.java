@@ -39,12 +39,12 @@ public final class Sweep {
     private Sweep(Scenario scenario, Design design) {
         this.scenario = scenario;
         this.design = design;
-        var mistakes = new LinkedHashSet<Problem>();
+        var errors = new LinkedHashSet<Problem>();
         var found = new LinkedHashSet<Problem>();
         for (Combination combination : design.combinations()) {
             try {
                 RunPlan plan = plan(combination, design.seeds().getFirst(), Double.POSITIVE_INFINITY);
-                check(plan, mistakes);
+                check(plan, errors);
                 found.addAll(plan.scene().warnings());
                 found.addAll(plan.notes());
                 arguments.put(combination.number(), plan.arguments());
@@ -53,11 +53,11 @@ public final class Sweep {
                     values.addAll(measured.names(plan.robots()));
                 });
             } catch (InvalidSettings e) {
-                mistakes.addAll(e.problems());
+                errors.addAll(e.problems());
             }
         }
-        if (!mistakes.isEmpty()) {
-            throw new InvalidSettings(List.copyOf(mistakes));
+        if (!errors.isEmpty()) {
+            throw new InvalidSettings(List.copyOf(errors));
         }
         this.trials = design.trials();
         this.notes = List.copyOf(found);
@@ -66,7 +66,7 @@ public final class Sweep {
     /// Plans a run of every combination, with the first seed. Files that the scenario names are read for that, and
     /// never again: all runs are of what they were then.
     ///
-    /// @throws InvalidSettings with every mistake of the scenario and the design
+    /// @throws InvalidSettings with every error of the scenario and the design
     public static Sweep of(Scenario scenario, Design design) {
         checkSize(scenario, design);
         return new Sweep(scenario.kept(), design);
@@ -101,16 +101,16 @@ public final class Sweep {
         }
     }
 
-    private void check(RunPlan plan, Set<Problem> mistakes) {
+    private void check(RunPlan plan, Set<Problem> errors) {
         String name = "Configuration '%s'".formatted(plan.configuration());
         if (plan.clock() == Clock.WALL) {
-            mistakes.add(new Problem(
+            errors.add(new Problem(
                     scenario.location(),
                     name + " runs in real time.",
                     "Only runs in simulated time can be compared: they don't disturb each other, and the same seed"
                             + " gives the same run. Name others by --configuration."));
         } else if (plan.stops().isEmpty() && design.limit().isEmpty()) {
-            mistakes.add(new Problem(
+            errors.add(new Problem(
                     scenario.location(), name + " has no end of its own.", "Say how long by --for SECONDS."));
         }
     }

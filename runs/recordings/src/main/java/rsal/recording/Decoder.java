@@ -47,8 +47,8 @@ import rsal.engine.report.Snapshot;
 import rsal.engine.report.Teammate;
 import rsal.model.RobotColors;
 import rsal.model.RobotModels;
-import rsal.recording.Held.Raw;
-import rsal.recording.Held.Speech;
+import rsal.recording.NewestRecords.Raw;
+import rsal.recording.NewestRecords.Speech;
 import rsal.recording.proto.MessageType;
 import rsal.robot.RobotModel;
 import rsal.robot.RobotSpec;
@@ -146,7 +146,7 @@ final class Decoder {
                 Answer.Linked.NONE);
     }
 
-    Snapshot snapshot(Held held, Duration time, Optional<String> outcome) {
+    Snapshot snapshot(NewestRecords held, Duration time, Optional<String> outcome) {
         now = new IdentityHashMap<>();
         Optional<MessageFields> state = read(held, ChannelNames.STATE, Own.STATE, (fields, _) -> fields);
         var devices = new HashMap<String, List<Recorded>>(); // by robot
@@ -223,7 +223,7 @@ final class Decoder {
     }
 
     /// What devices of a robot had told last; nothing of one that was not there.
-    List<Reading> readings(Held held, Duration time, String robot) {
+    List<Reading> readings(NewestRecords held, Duration time, String robot) {
         now = new IdentityHashMap<>();
         var devices = new ArrayList<Recorded>();
         held.messages().keySet().stream()
@@ -240,12 +240,12 @@ final class Decoder {
         return readings;
     }
 
-    Optional<Mind.View> mind(Held held, String agent) {
+    Optional<Mind.View> mind(NewestRecords held, String agent) {
         return read(held, ChannelNames.about(ChannelNames.MINDS, agent), Own.MIND, (fields, _) -> mind(fields));
     }
 
     /// What a message says, read once for as long as it is the newest of its kind.
-    private <T> Optional<T> read(Held held, String key, MessageType type, Reader<T> reader) {
+    private <T> Optional<T> read(NewestRecords held, String key, MessageType type, Reader<T> reader) {
         Raw raw = held.messages().get(key);
         if (raw == null) {
             return Optional.empty();
@@ -302,7 +302,8 @@ final class Decoder {
                 like.body());
     }
 
-    private RobotView robot(MessageFields robot, RobotSpec spec, Held held, List<Recorded> devices, Duration time) {
+    private RobotView robot(
+            MessageFields robot, RobotSpec spec, NewestRecords held, List<Recorded> devices, Duration time) {
         String id = spec.id();
         Instant when = start.plus(time);
         Reported reported = reported(robot, id, held, devices, when);
@@ -347,7 +348,8 @@ final class Decoder {
                 reported.readings);
     }
 
-    private Reported reported(MessageFields robot, String id, Held held, List<Recorded> devices, Instant when) {
+    private Reported reported(
+            MessageFields robot, String id, NewestRecords held, List<Recorded> devices, Instant when) {
         List<String> lacks = robot.texts("lacks");
         Optional<Stamped<Odometry>> odometry = robot.pose("odometry")
                 .map(pose -> new Odometry(
@@ -390,7 +392,7 @@ final class Decoder {
 
     /// What a device told that has a topic of its own kind.
     private <T> Optional<Stamped<T>> drawn(
-            Held held, String robot, String what, List<String> lacks, Class<T> reported) {
+            NewestRecords held, String robot, String what, List<String> lacks, Class<T> reported) {
         ReadingType<?> type = types.get(ChannelNames.of(robot, what));
         return type == null || !type.reported().equals(reported)
                 ? Optional.empty()
@@ -407,7 +409,7 @@ final class Decoder {
     }
 
     /// What a device told for itself alone.
-    private Optional<? extends Stamped<?>> reported(Held held, Recorded device, List<String> lacks) {
+    private Optional<? extends Stamped<?>> reported(NewestRecords held, Recorded device, List<String> lacks) {
         ReadingType<?> type = types.get(device.topic());
         return type == null
                         || lacks.contains(ChannelNames.DEVICE + device.view().name())
@@ -441,7 +443,12 @@ final class Decoder {
     }
 
     private <T> Optional<Stamped<T>> reading(
-            Held held, String robot, String what, List<String> lacks, MessageType type, Reader<Stamped<T>> reader) {
+            NewestRecords held,
+            String robot,
+            String what,
+            List<String> lacks,
+            MessageType type,
+            Reader<Stamped<T>> reader) {
         return lacks.contains(what) ? Optional.empty() : read(held, ChannelNames.of(robot, what), type, reader);
     }
 
@@ -508,7 +515,7 @@ final class Decoder {
         return new OccupancyGrid(width, cells.length / width, resolution, corner.x(), corner.y(), cells);
     }
 
-    private Path2d path(Held held, String robot, String what) {
+    private Path2d path(NewestRecords held, String robot, String what) {
         return read(held, ChannelNames.of(robot, what), Foxglove.SCENE_UPDATE, (fields, _) -> path(fields))
                 .orElse(Path2d.EMPTY);
     }

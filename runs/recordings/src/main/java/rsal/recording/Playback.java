@@ -60,7 +60,7 @@ public final class Playback implements Closeable {
     private final Map<String, Mind.View> newest = new HashMap<>(); // the same, while the file is read through
     private int changed; // how many of them there are
     private final ResumePoints places = new ResumePoints(MOST_KEPT);
-    private final Map<Long, Held> recent = new LinkedHashMap<>(RECENT, 0.75f, true);
+    private final Map<Long, NewestRecords> recent = new LinkedHashMap<>(RECENT, 0.75f, true);
     private long[] states = new long[1 << 10]; // log times
     private int count; // of states
 
@@ -105,7 +105,7 @@ public final class Playback implements Closeable {
     }
 
     private void readThrough() throws IOException {
-        var held = new Held();
+        var held = new NewestRecords();
         recording.file().read(Playback::isOfUse, (channel, _, logTime, publishTime, data) -> {
             if (places.isDue(logTime)) {
                 places.keep(logTime - 1, held); // all before this message
@@ -187,7 +187,8 @@ public final class Playback implements Closeable {
         };
     }
 
-    private static void take(Held held, Channel channel, long publishTime, ByteBuffer data) throws IOException {
+    private static void take(NewestRecords held, Channel channel, long publishTime, ByteBuffer data)
+            throws IOException {
         String topic = channel.topic();
         boolean fits = switch (topic) {
             case ChannelNames.EVENTS -> true; // known from the beginning
@@ -218,7 +219,7 @@ public final class Playback implements Closeable {
         };
         if (!fits) {
             throw new IOException("This says more at once than can be held: more than %d messages, or %d bytes."
-                    .formatted(Held.MOST_MESSAGES, Held.MOST_BYTES));
+                    .formatted(NewestRecords.MOST_MESSAGES, NewestRecords.MOST_BYTES));
         }
     }
 
@@ -358,12 +359,12 @@ public final class Playback implements Closeable {
         private final String robot;
         private final int end;
         private final long spacing;
-        private final Held held;
+        private final NewestRecords held;
         private final List<Reported> reported = new ArrayList<>();
         private int next; // which state
         private long last = Long.MIN_VALUE / 2; // log time of the one that was told
 
-        Telling(String robot, int next, int end, long spacing, Held held) {
+        Telling(String robot, int next, int end, long spacing, NewestRecords held) {
             this.robot = robot;
             this.next = next;
             this.end = end;
@@ -441,8 +442,8 @@ public final class Playback implements Closeable {
     }
 
     /// The same, from where a viewer is from now on.
-    private Held seen(long logTime) throws IOException {
-        Held held = held(logTime);
+    private NewestRecords seen(long logTime) throws IOException {
+        NewestRecords held = held(logTime);
         recent.put(logTime, held);
         if (recent.size() > RECENT) {
             recent.remove(recent.keySet().iterator().next());
@@ -451,16 +452,16 @@ public final class Playback implements Closeable {
     }
 
     /// The newest of all that was recorded by then.
-    private Held held(long logTime) throws IOException {
+    private NewestRecords held(long logTime) throws IOException {
         long from = Long.MIN_VALUE;
-        Held nearest = new Held();
-        for (Map.Entry<Long, Held> place : recent.entrySet()) {
+        NewestRecords nearest = new NewestRecords();
+        for (Map.Entry<Long, NewestRecords> place : recent.entrySet()) {
             if (place.getKey() <= logTime && place.getKey() > from) {
                 from = place.getKey();
                 nearest = place.getValue();
             }
         }
-        Map.Entry<Long, Held> kept = places.before(logTime);
+        Map.Entry<Long, NewestRecords> kept = places.before(logTime);
         if (kept != null && kept.getKey() > from) {
             from = kept.getKey();
             nearest = kept.getValue();
@@ -468,7 +469,7 @@ public final class Playback implements Closeable {
         if (from == logTime) {
             return nearest;
         }
-        Held held = nearest.copy();
+        NewestRecords held = nearest.copy();
         recording
                 .file()
                 .read(

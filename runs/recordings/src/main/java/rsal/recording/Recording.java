@@ -90,7 +90,7 @@ public final class Recording implements Closeable {
     ///
     /// @param trusted whether agents' programs that were recorded with it may be run; those that made the
     ///         recording may have written anything into them
-    /// @throws InvalidSettings with every mistake, as of an argument that a later version has no more
+    /// @throws InvalidSettings with every error, as of an argument that a later version has no more
     public RunPlan plan(boolean trusted) throws IOException {
         var files = new LinkedHashMap<String, byte[]>();
         for (AttachmentEntry entry : file.attachments()) {

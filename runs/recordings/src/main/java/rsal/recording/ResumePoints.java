@@ -16,7 +16,7 @@ final class ResumePoints {
     private static final int MOST_PLACES = 400;
     private static final int ENTRY = 64; // of a message in a place [B]
 
-    private final NavigableMap<Long, Held> places = new TreeMap<>(); // by log time
+    private final NavigableMap<Long, NewestRecords> places = new TreeMap<>(); // by log time
     private final long most;
     private long spacing = FIRST_SPACING;
     private long next = Long.MIN_VALUE;
@@ -35,9 +35,10 @@ final class ResumePoints {
     /// Keeps a copy.
     ///
     /// @param time of the newest that is in it
-    void keep(long time, Held held) {
-        Held before = places.isEmpty() ? new Held() : places.lastEntry().getValue();
-        Held copy = held.copy();
+    void keep(long time, NewestRecords held) {
+        NewestRecords before =
+                places.isEmpty() ? new NewestRecords() : places.lastEntry().getValue();
+        NewestRecords copy = held.copy();
         copy.messages()
                 .forEach((key, raw) -> bytes += raw.equals(before.messages().get(key)) ? 0 : raw.data().length);
         bytes += entries(copy);
@@ -64,12 +65,12 @@ final class ResumePoints {
                 + places.values().stream().mapToLong(ResumePoints::entries).sum();
     }
 
-    private static long entries(Held place) {
+    private static long entries(NewestRecords place) {
         return (long) ENTRY * place.messages().size();
     }
 
     /// The last that has nothing of after a time; null when none has.
-    Map.@Nullable Entry<Long, Held> before(long logTime) {
+    Map.@Nullable Entry<Long, NewestRecords> before(long logTime) {
         return places.floorEntry(logTime);
     }
 

@@ -9,25 +9,25 @@ import java.util.stream.Collectors;
 import rsal.settings.Location;
 import rsal.settings.Problem;
 
-/// Finds out which mistakes of a scenario come of arguments that somebody has set: those that are none without. Where
+/// Finds out which errors of a scenario come of arguments that somebody has set: those that are none without. Where
 /// they show may be far from where the argument stands.
 final class Blame {
     private final RunOptions options;
     private final Map<String, Set<Location>> without = new LinkedHashMap<>(); // an argument, by its name: what is left
 
-    /// @param mistakes of the scenario with some options
-    Blame(RunOptions options, Function<RunOptions, List<Problem>> mistakes) {
+    /// @param errors of the scenario with some options
+    Blame(RunOptions options, Function<RunOptions, List<Problem>> errors) {
         this.options = options;
-        options.arguments().keySet().forEach(name -> without.put(name, places(mistakes, name)));
+        options.arguments().keySet().forEach(name -> without.put(name, places(errors, name)));
     }
 
-    private Set<Location> places(Function<RunOptions, List<Problem>> mistakes, String name) {
-        return mistakes.apply(options.withoutArgument(name)).stream()
+    private Set<Location> places(Function<RunOptions, List<Problem>> errors, String name) {
+        return errors.apply(options.withoutArgument(name)).stream()
                 .map(Problem::location)
                 .collect(Collectors.toUnmodifiableSet());
     }
 
-    /// The same mistakes, with the arguments that they come of.
+    /// The same errors, with the arguments that they come of.
     List<Problem> of(List<Problem> problems) {
         return problems.stream().map(this::of).toList();
     }

@@ -34,7 +34,7 @@ final class CommunicationReader {
         return Optional.of(new Communication(range, behindWalls, loss, delay, bandwidth, seeds.of(KEY)));
     }
 
-    /// Nothing when it isn't given, which is no mistake.
+    /// Nothing when it isn't given, which is no error.
     private static Optional<Double> number(Section section, Parameter<?> parameter) {
         return section.has(parameter.name()) ? section.value(parameter).map(Double.class::cast) : Optional.empty();
     }

@@ -63,7 +63,7 @@ final class FaultReader {
     private record Named(PlannedRobot robot, String device, Class<? extends Device> type) {}
 
     /// @param robots of all roles, with what their agents need
-    /// @param allAgents false when a mistake may have left some out
+    /// @param allAgents false when an error may have left some out
     FaultReader(
             RobotNames names,
             List<PlannedRobot> robots,

@@ -41,7 +41,7 @@ final class PlaceReader {
         return rectangle(place).map(area -> area);
     }
 
-    /// What the setting `within` says; empty when it isn't given, or a mistake.
+    /// What the setting `within` says; empty when it isn't given, or an error.
     static Optional<Place.Rectangle> rectangle(Section section) {
         double[] edges = section.numbers("within", 4).orElse(new double[0]);
         if (edges.length == 0) {

@@ -41,7 +41,7 @@ import rsal.settings.Section;
 import rsal.settings.Suggestion;
 import rsal.settings.Value;
 
-/// Reads a scenario with one configuration and its arguments filled in. Goes on after a mistake as far as that
+/// Reads a scenario with one configuration and its arguments filled in. Goes on after an error as far as that
 /// makes sense, so that all of them are reported together.
 final class PlanReader {
     private static final Duration DEFAULT_STEP = Duration.ofMillis(100);
@@ -97,7 +97,7 @@ final class PlanReader {
             List<RunPlan.Stop> stops,
             List<RunPlan.MetricDefinition> metrics) {}
 
-    /// @throws InvalidSettings with all mistakes
+    /// @throws InvalidSettings with all errors
     RunPlan read() {
         String configuration = configuration();
         Value.Mapping over = scenario.overlay(configuration);

@@ -21,7 +21,7 @@ final class RobotChecker {
     private final Location otherwise;
     private final Problems problems;
 
-    /// @param otherwise where mistakes are of robots that have no role
+    /// @param otherwise where errors are of robots that have no role
     RobotChecker(List<Role> roles, Location otherwise, Problems problems) {
         this.roles = roles;
         this.otherwise = otherwise;

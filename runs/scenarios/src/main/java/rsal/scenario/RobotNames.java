@@ -11,9 +11,9 @@ import rsal.settings.Suggestion;
 
 /// What robots of a scenario can be called by: their roles and ids.
 ///
-/// @param open whether there may be more of them, in a world with mistakes: then no name is wrong
+/// @param open whether there may be more of them, in a world with errors: then no name is wrong
 record RobotNames(List<Role> roles, boolean open) {
-    /// Whether a mistake may have hidden any of them.
+    /// Whether an error may have hidden any of them.
     boolean mayLackSome() {
         return open || !roles.stream().allMatch(Role::complete);
     }
@@ -52,7 +52,7 @@ record RobotNames(List<Role> roles, boolean open) {
         }
     }
 
-    /// A mistake elsewhere can have hidden robots.
+    /// An error elsewhere can have hidden robots.
     private boolean mayBeUnread(String name) {
         return open || roles.stream().anyMatch(role -> !role.complete() && name.startsWith(role.name()));
     }

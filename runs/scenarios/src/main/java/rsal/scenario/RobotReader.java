@@ -71,7 +71,7 @@ final class RobotReader {
     ///
     /// @param settings of each, by id
     /// @param has types of the devices that each of them has
-    /// @param complete false when a mistake left something out
+    /// @param complete false when an error left something out
     record Role(
             String name,
             List<PlannedRobot> robots,

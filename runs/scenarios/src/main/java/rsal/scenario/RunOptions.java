@@ -92,7 +92,7 @@ public record RunOptions(
         return new RunOptions(configuration, arguments, seed, mas, mrs, clock, with, limit, OptionalDouble.of(factor));
     }
 
-    /// Where mistakes about an argument are reported to be that was typed.
+    /// Where errors about an argument are reported to be that was typed.
     public Location locationOf(String argument) {
         return Location.of("--set " + argument + "=" + arguments.get(argument));
     }

@@ -80,14 +80,14 @@ public final class Scenario {
     ///
     /// @param nameOrFile `hunt-and-prey`, or the path of a YAML file, of its folder, or of a world. The file of a
     /// folder is `scenario.yaml`, else what [#fileIn] says
-    /// @throws InvalidSettings when there is none, or with all of its mistakes
+    /// @throws InvalidSettings when there is none, or with all of its errors
     public static Scenario load(String nameOrFile) {
         return isAWorld(nameOrFile)
                 ? ofWorld(nameOrFile, new ReadFiles(FileSource.disk()))
                 : origin(nameOrFile).read();
     }
 
-    /// The text of a scenario as it is written now, with all its mistakes.
+    /// The text of a scenario as it is written now, with all its errors.
     ///
     /// @param nameOrFile as for [#load]
     /// @throws InvalidSettings when there is none, and of a world
@@ -106,7 +106,7 @@ public final class Scenario {
     /// Reads a scenario with another text than its own, among the files that are around that.
     ///
     /// @param nameOrFile as for [#load]
-    /// @throws InvalidSettings when there is none, with all mistakes of the text, and of a world
+    /// @throws InvalidSettings when there is none, with all errors of the text, and of a world
     public static Scenario edited(String nameOrFile, String text) {
         Origin own = origin(nameOrFile);
         return (text.equals(own.text()) ? own : own.edited(text)).read();
@@ -148,7 +148,7 @@ public final class Scenario {
     /// @param files as [#readFiles] had them once it was planned
     /// @param trusted whether agents' programs among them may be run; those of others are not even read, and an
     ///         agent of such a program fails at its start
-    /// @throws InvalidSettings with all of its mistakes, and when one of its files is not among them
+    /// @throws InvalidSettings with all of its errors, and when one of its files is not among them
     public static Scenario again(String file, Map<String, byte[]> files, boolean trusted) {
         boolean isWorld = isWorld(file);
         var again = ReadFiles.again(files, isWorld, trusted);
@@ -157,7 +157,7 @@ public final class Scenario {
 
     /// The same with another text, among the same files.
     ///
-    /// @throws InvalidSettings with all mistakes of the text, and of a world
+    /// @throws InvalidSettings with all errors of the text, and of a world
     public Scenario edited(String text) {
         if (isWorld()) {
             throw noText(location());
@@ -171,7 +171,7 @@ public final class Scenario {
 
     /// The same, for runs that are to be alike: each of its files is read once, whatever is written to it from then on.
     ///
-    /// @throws InvalidSettings with all of its mistakes
+    /// @throws InvalidSettings with all of its errors
     public Scenario kept() {
         if (!(files instanceof ReadFiles read)) {
             return this;
@@ -209,7 +209,7 @@ public final class Scenario {
     ///
     /// @param path relative to that folder
     /// @param at where it is named
-    /// @throws InvalidSettings when there is none, or with the mistakes of its head
+    /// @throws InvalidSettings when there is none, or with the errors of its head
     static Scenario beside(Scenario host, String path, Location at) {
         var problems = new Problems();
         String text = host.files.text(path, Yaml.MAX_CHARACTERS, at);
@@ -226,7 +226,7 @@ public final class Scenario {
     /// What is in a world, as a run with the seed 1 finds it; when that is nothing, with a warning.
     ///
     /// @param path of a file that [#isWorld]
-    /// @throws InvalidSettings with its mistakes
+    /// @throws InvalidSettings with its errors
     public static Scene scene(String path) {
         var seeds = new Seeds((Long) Format.SEED.fallback().orElseThrow());
         Scene scene = Catalog.installed()
@@ -284,13 +284,13 @@ public final class Scenario {
     ///
     /// @param file what to call it in messages
     /// @param files where the maps and models are that it names
-    /// @throws InvalidSettings with all of its mistakes
+    /// @throws InvalidSettings with all of its errors
     static Scenario read(String file, String text, FileSource files) {
         Value.Mapping settings = Yaml.read(file, text);
         var problems = new Problems();
         var scenario = new Scenario(settings, files, Optional.of(text), problems);
         if (!problems.isEmpty()) {
-            throw new InvalidSettings(distinct(problems.all(), scenario.mistakes(RunOptions.NONE)));
+            throw new InvalidSettings(distinct(problems.all(), scenario.errors(RunOptions.NONE)));
         }
         return scenario;
     }
@@ -352,12 +352,12 @@ public final class Scenario {
 
     /// Decides everything that is still open.
     ///
-    /// @throws InvalidSettings with every mistake of the scenario and the options
+    /// @throws InvalidSettings with every error of the scenario and the options
     public RunPlan plan(RunOptions options) {
         try {
             return planned(options);
         } catch (InvalidSettings e) {
-            throw new InvalidSettings(new Blame(options, this::mistakes).of(e.problems()), e.warnings());
+            throw new InvalidSettings(new Blame(options, this::errors).of(e.problems()), e.warnings());
         }
     }
 
@@ -367,28 +367,28 @@ public final class Scenario {
 
     /// Plans every configuration.
     ///
-    /// @throws InvalidSettings with every mistake of the scenario
+    /// @throws InvalidSettings with every error of the scenario
     public void check() {
         check(_ -> {});
     }
 
     /// Plans every configuration.
     ///
-    /// @param planned told the plans of those without a mistake, in their order
-    /// @throws InvalidSettings with every mistake of the scenario
+    /// @param planned told the plans of those without an error, in their order
+    /// @throws InvalidSettings with every error of the scenario
     public void check(Consumer<RunPlan> planned) {
-        var mistakes = new LinkedHashSet<Problem>();
+        var errors = new LinkedHashSet<Problem>();
         var warnings = new LinkedHashSet<Problem>();
         for (Configuration configuration : configurations) {
             try {
                 planned.accept(planned(RunOptions.NONE.withConfiguration(configuration.name())));
             } catch (InvalidSettings e) {
-                mistakes.addAll(e.problems());
+                errors.addAll(e.problems());
                 warnings.addAll(e.warnings());
             }
         }
-        if (!mistakes.isEmpty()) {
-            throw new InvalidSettings(List.copyOf(mistakes), List.copyOf(warnings));
+        if (!errors.isEmpty()) {
+            throw new InvalidSettings(List.copyOf(errors), List.copyOf(warnings));
         }
     }
 
@@ -423,7 +423,7 @@ public final class Scenario {
         return files;
     }
 
-    private List<Problem> mistakes(RunOptions options) {
+    private List<Problem> errors(RunOptions options) {
         try {
             planned(options);
             return List.of();

@@ -83,7 +83,7 @@ class EditedScenarioTest {
     }
 
     @Test
-    void tellsWhereItsMistakesAre() {
+    void tellsWhereItsErrorsAre() {
         String text = Scenario.written("patrol").replace("robots:", "robotz:");
         int line = (int) text.substring(0, text.indexOf("robotz:")).lines().count() + 1;
         assertThatThrownBy(() -> Scenario.edited("patrol", text).check())
@@ -96,7 +96,7 @@ class EditedScenarioTest {
     }
 
     @Test
-    void isReadOfAFileWithMistakesToo() throws IOException {
+    void isReadOfAFileWithErrorsToo() throws IOException {
         Path broken = Files.writeString(folder.resolve("broken.yaml"), "rsal: [1");
         assertThat(Scenario.written(broken.toString())).isEqualTo("rsal: [1");
         assertThat(Scenario.edited(broken.toString(), OWN.replace("file: small.world", "map: office"))
@@ -113,7 +113,7 @@ class EditedScenarioTest {
         assertThatThrownBy(() -> Scenario.edited("patroll", OWN)).hasMessageContaining("patrol");
     }
 
-    /// Whatever a person has half written: it can be read, or is refused with its mistakes.
+    /// Whatever a person has half written: it can be read, or is refused with its errors.
     @ParameterizedTest
     @MethodSource("rsal.scenario.Scenario#builtInNames")
     void survivesAnyEdit(String name) {

@@ -46,7 +46,7 @@ class NotesTest {
     }
 
     @Test
-    void mistakesDoNotHideWarningsOfTheWorld() throws IOException {
+    void errorsDoNotHideWarningsOfTheWorld() throws IOException {
         String world = world("rsal: 1\nwals: []\nrobots: {r: {model: pioneer2dx, pose: [0, 0, 0], program: dance}}\n");
         for (ThrowingCallable read : List.<ThrowingCallable>of(
                 () -> Scenario.scene(world),
@@ -60,7 +60,7 @@ class NotesTest {
     }
 
     @Test
-    void mistakesOfAScenarioDoNotHideWarningsOfItsWorld() throws IOException {
+    void errorsOfAScenarioDoNotHideWarningsOfItsWorld() throws IOException {
         world("rsal: 1\nrobots: {r: {model: pioneer2dx, pose: [0, 0, 0], program: dance}}\n");
         Path file = Files.writeString(
                 folder.resolve("some.yaml"),

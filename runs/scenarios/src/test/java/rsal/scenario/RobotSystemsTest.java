@@ -63,7 +63,7 @@ class RobotSystemsTest {
         return scenario(text).plan(RunOptions.NONE);
     }
 
-    private String mistakes(String text) {
+    private String errors(String text) {
         try {
             scenario(text).check();
             return "";
@@ -243,10 +243,10 @@ class RobotSystemsTest {
 
     @Test
     void simulatedTimeRefusesRobotsThatCantFollowIt() {
-        assertThat(mistakes(MIXED.replace("use: reality", "use: clockwork")))
+        assertThat(errors(MIXED.replace("use: reality", "use: clockwork")))
                 .contains("The robot system 'clockwork' of robot 'real3at' can't follow simulated time,")
                 .contains("mixed.yaml:13:");
-        assertThat(mistakes(MIXED.replace("use: reality", "use: clockwork") + "run: {clock: {mode: wall}}\n"))
+        assertThat(errors(MIXED.replace("use: reality", "use: clockwork") + "run: {clock: {mode: wall}}\n"))
                 .isEmpty();
     }
 
@@ -256,18 +256,18 @@ class RobotSystemsTest {
         String driven = MIXED.replace("arguments:\n  host: {type: string, default: hall}\n", "")
                         .replace("use: reality, host: $host", "use: metronome")
                 + "run: {clock: {mode: wall}}\n";
-        assertThat(mistakes(driven)).isEmpty();
+        assertThat(errors(driven)).isEmpty();
         assertThat(plan(driven).isTimeDriven()).isTrue();
-        assertThat(mistakes(driven + "mrs: {use: clockwork}\n"))
+        assertThat(errors(driven + "mrs: {use: clockwork}\n"))
                 .contains("The run follows the time of another simulator ('metronome'), "
                         + "but robots of 'clockwork' need real time.");
         String own = driven.replace("use: metronome", "use: metronome, drives: true, name: own");
-        assertThat(mistakes(own + "mrs: {use: metronome, drives: false}\n"))
+        assertThat(errors(own + "mrs: {use: metronome, drives: false}\n"))
                 .contains("robots of 'metronome, drives=false' need real time.");
-        assertThat(mistakes(own + "mrs: {use: metronome}\n"))
+        assertThat(errors(own + "mrs: {use: metronome}\n"))
                 .contains("The time of a run can follow one simulator only, "
                         + "but it should follow those of 'metronome' and 'metronome, name=own'.");
-        assertThat(mistakes(driven + "mas: {use: wallclock}\n"))
+        assertThat(errors(driven + "mas: {use: wallclock}\n"))
                 .contains("but the multi-agent system 'wallclock' needs real time.");
     }
 
@@ -275,23 +275,23 @@ class RobotSystemsTest {
     void agentsOfARoleNeedWhatAllOfItsMembersHave() {
         String agent = MIXED.replace("type: wanderer", "type: wander");
         String pilot = "devices: {pilot: {}}";
-        assertThat(mistakes(agent.replace("name: virtual1", "name: virtual1, " + pilot)))
+        assertThat(errors(agent.replace("name: virtual1", "name: virtual1, " + pilot)))
                 .contains("needs a robot with a Pilot, which robots of role 'hunter' don't have.");
-        assertThat(mistakes(agent.replace("pose: {free: true}", "pose: {free: true}\n    " + pilot)))
+        assertThat(errors(agent.replace("pose: {free: true}", "pose: {free: true}\n    " + pilot)))
                 .isEmpty();
     }
 
     @Test
     void aRunHasOneSimulatedWorld() {
-        assertThat(mistakes(MIXED.replace("{name: virtual1}", "{name: virtual1, mrs: {sensorNoise: 0}}")))
+        assertThat(errors(MIXED.replace("{name: virtual1}", "{name: virtual1, mrs: {sensorNoise: 0}}")))
                 .contains("Robot 'virtual1' would be in another simulated world than those of sim; a run has one.");
     }
 
     @Test
     void robotsThatNobodyCanBreakHaveNoFaults() {
         String broken = MIXED + "faults:\n  - {kind: gone, robots: %s, at: 5}\n";
-        assertThat(mistakes(broken.formatted("prey"))).isEmpty();
-        assertThat(mistakes(broken.formatted("real3at")))
+        assertThat(errors(broken.formatted("prey"))).isEmpty();
+        assertThat(errors(broken.formatted("real3at")))
                 .contains("Robot system 'reality' can't break robots on purpose.");
     }
 
@@ -302,10 +302,10 @@ class RobotSystemsTest {
                 .filteredOn(PlannedRobot::proxy)
                 .extracting(robot -> robot.spec().id())
                 .containsExactly("real3at");
-        assertThat(mistakes(mixed.replace("name: virtual1", "name: virtual1, proxy: true")))
+        assertThat(errors(mixed.replace("name: virtual1", "name: virtual1, proxy: true")))
                 .contains("mixed.yaml:14:")
                 .contains("Robot 'virtual1' is simulated itself and has no proxy.");
-        assertThat(mistakes(mixed + "mrs: {use: reality}\n"))
+        assertThat(errors(mixed + "mrs: {use: reality}\n"))
                 .contains("There is no simulated world for a proxy of robot 'real3at'.");
     }
 
@@ -316,10 +316,10 @@ class RobotSystemsTest {
                 .filteredOn(PlannedRobot::overlay)
                 .extracting(robot -> robot.spec().id())
                 .containsExactly("real3at");
-        assertThat(mistakes(mixed.replace("name: virtual1", "name: virtual1, overlay: true")))
+        assertThat(errors(mixed.replace("name: virtual1", "name: virtual1, overlay: true")))
                 .contains("mixed.yaml:14:")
                 .contains("Robot 'virtual1' is simulated itself and sees its world.");
-        assertThat(mistakes(mixed + "mrs: {use: reality}\n"))
+        assertThat(errors(mixed + "mrs: {use: reality}\n"))
                 .contains("There is no simulated world that robot 'real3at' could see.");
         write("blind.yaml", """
                 title: Blind
@@ -331,7 +331,7 @@ class RobotSystemsTest {
                   maxTurnAcceleration: 90
                   odometryNoise: {distancePerMeter: 0, headingPerMeter: 0, headingPerDegree: 0}
                 """);
-        assertThat(mistakes(mixed.replace("devices: {laser: urg04lx}", "model: blind.yaml")))
+        assertThat(errors(mixed.replace("devices: {laser: urg04lx}", "model: blind.yaml")))
                 .contains("Robot 'real3at' has no laser and no sonars by which it could see what is simulated.");
     }
 
@@ -347,12 +347,12 @@ class RobotSystemsTest {
             fiducial: 11     | count: 3                     | 'robots.hunter.count' can't be said where robots are named
             pose: {free: true} | pose: [[1, 2, 0], [3, 4, 0]] | 'robots.hunter.pose' can't be a list of poses where
             """)
-    void mistakesAreToldOnceAndWhereTheyAre(String right, String wrong, String words) {
+    void errorsAreToldOnceAndWhereTheyAre(String right, String wrong, String words) {
         assertThat(MIXED).contains(right);
-        String mistakes = mistakes(MIXED.replace(right, wrong));
-        assertThat(mistakes).contains(words).contains("mixed.yaml:");
-        assertThat(mistakes.split(java.util.regex.Pattern.quote(words), -1))
-                .as(mistakes)
+        String errors = errors(MIXED.replace(right, wrong));
+        assertThat(errors).contains(words).contains("mixed.yaml:");
+        assertThat(errors.split(java.util.regex.Pattern.quote(words), -1))
+                .as(errors)
                 .hasSize(2);
     }
 

@@ -72,7 +72,7 @@ class ScenarioSchemaTest {
                 .allSatisfy(scenario -> assertThat(errors(scenario.settings())).isEmpty());
     }
 
-    /// What messages say of mistakes that can't be seen without knowing other parts of the scenario.
+    /// What messages say of errors that can't be seen without knowing other parts of the scenario.
     private static final List<String> BEYOND_A_SCHEMA = List.of(
             "lies outside",
             "There is no file",

@@ -89,8 +89,8 @@ class ScenarioTest {
         return scenario(text).plan(options);
     }
 
-    /// All mistakes of a text, without the folder.
-    private String mistakes(String text) {
+    /// All errors of a text, without the folder.
+    private String errors(String text) {
         try {
             scenario(text).check();
             return "";
@@ -105,9 +105,9 @@ class ScenarioTest {
         assertThat(plan(marked, RunOptions.NONE).robots())
                 .extracting(robot -> robot.spec().marker())
                 .containsExactly(OptionalInt.empty(), OptionalInt.of(21), OptionalInt.of(22));
-        assertThat(mistakes(marked.replace("fiducial: 21", "fiducial: -1"))).contains("robots.hunter.fiducial");
+        assertThat(errors(marked.replace("fiducial: 21", "fiducial: -1"))).contains("robots.hunter.fiducial");
         String twice = marked.replace("    model: pioneer2dx\n", "    model: pioneer2dx\n    fiducial: 22\n");
-        assertThat(mistakes(twice)).contains("'prey' and 'hunter-2' wear the same marker '22'.");
+        assertThat(errors(twice)).contains("'prey' and 'hunter-2' wear the same marker '22'.");
     }
 
     @Test
@@ -311,15 +311,15 @@ class ScenarioTest {
                         "speed: 0.2",
                         "speed: fast",
                         "'agents.run.parameters.speed' must be a number from 0 to 1 [m/s]"),
-                mistakenRobots(
+                wrongRobots(
                         "huntr",
                         "'agents.watch.parameters.robot'",
                         "the id of one or all, not 'huntr'",
                         "Maybe 'hunter' was"),
-                mistakenRobots("hunter-3", "Maybe 'hunter-1' or 'hunter-2' was meant?"),
-                mistakenRobots("me", "Known are: prey, hunter."),
-                mistakenRobots("\"\"", "not ''"),
-                mistakenRobots("$way", "not 'slow'"),
+                wrongRobots("hunter-3", "Maybe 'hunter-1' or 'hunter-2' was meant?"),
+                wrongRobots("me", "Known are: prey, hunter."),
+                wrongRobots("\"\"", "not ''"),
+                wrongRobots("$way", "not 'slow'"),
                 List.of("use: plain", "use: plan", "no multi-agent system 'plan'", "Maybe 'plain'"),
                 List.of("use: plain", "use: wallclock", "can't follow simulated time", "run.clock.mode"),
                 List.of("use: plain", "use: jade", "system 'jade' can't follow simulated time", "--clock wall"),
@@ -374,85 +374,83 @@ class ScenarioTest {
                 List.of("  run: {type", "  all: {type", "'all' can't be the name of an agent"),
                 List.of("  watch:", "  operator:", "'operator' can't be the name of an agent"),
                 List.of("  watch:", "  chase-2:", "good.yaml:23:12: There are two agents 'chase-2'"),
-                mistakenFault("at: 60", "'faults.kind' is missing"),
-                mistakenFault(
+                wrongFault("at: 60", "'faults.kind' is missing"),
+                wrongFault(
                         "kind: deaf, robots: prey, devices: laser",
                         "good.yaml:26:17: 'faults.kind' must be one of dead, frozen",
                         "not 'deaf'. Maybe 'dead'"),
-                mistakenFault("kind: dead, devices: laser", "'faults.robots' is missing", "Maybe 'robots: all'?"),
-                mistakenFault("kind: dead, robots: prey", "'faults.devices' is missing"),
-                mistakenFault(
+                wrongFault("kind: dead, devices: laser", "'faults.robots' is missing", "Maybe 'robots: all'?"),
+                wrongFault("kind: dead, robots: prey", "'faults.devices' is missing"),
+                wrongFault(
                         "kind: gone, robots: pry",
                         "good.yaml:26:31: 'faults.robots' must be a role of robots, the id of one",
                         "not 'pry'",
                         "Maybe 'prey'"),
-                mistakenFault("kind: gone, robots: [prey, hunter-3]", "not 'hunter-3'", "Maybe 'hunter-1'"),
-                mistakenFault("kind: gone, robots: \"x*\"", "a pattern (r*) or all, not 'x*'"),
-                mistakenFault("kind: gone, robots: [[prey]]", "must be a name or a list of names, not a list of 1"),
-                mistakenFault(
+                wrongFault("kind: gone, robots: [prey, hunter-3]", "not 'hunter-3'", "Maybe 'hunter-1'"),
+                wrongFault("kind: gone, robots: \"x*\"", "a pattern (r*) or all, not 'x*'"),
+                wrongFault("kind: gone, robots: [[prey]]", "must be a name or a list of names, not a list of 1"),
+                wrongFault(
                         "kind: dead, robots: prey, devices: lasr",
                         "good.yaml:26:46: Robots called 'prey' have no sensor 'lasr'",
                         "Maybe 'laser'"),
-                mistakenFault(
+                wrongFault(
                         "kind: dead, robots: [prey, hunter], devices: Localizer",
                         "Robots called 'hunter' have no sensor 'Localizer'",
                         "Known are: base, laser, sonar."),
-                mistakenFault("kind: dead, robots: all, devices: camera", "called 'all' have no sensor 'camera'"),
-                mistakenFault(
+                wrongFault("kind: dead, robots: all, devices: camera", "called 'all' have no sensor 'camera'"),
+                wrongFault(
                         "kind: biased, robots: prey, devices: laser, angle: 5",
                         "good.yaml:26:48: Device 'prey/laser' can't be biased like this.",
                         "measures ranges only"),
-                mistakenFault(
+                wrongFault(
                         "kind: biased, robots: prey, devices: laser",
                         "A 'biased' sensor needs an error, 'range' or 'angle'"),
-                mistakenFault(
-                        "kind: noisy, robots: prey, devices: laser, range: -1", "'faults.range' must be a number"),
-                mistakenFault(
-                        "kind: gone, robots: prey, at: -5", "good.yaml:26:41: 'faults.at' must be a number from 0"),
-                mistakenFault("kind: gone, robots: prey, for: 0", "'faults.for' must be a number from 0.01"),
-                mistakenFault("kind: gone, robots: prey, for: [5, 1]", "'faults.for' must be [least, most]"),
-                mistakenFault("kind: gone, robots: prey, for: [5]", "a list of 2 numbers"),
-                mistakenFault("kind: gone, robots: prey, every: 0", "'faults.every' must be a number from 1"),
-                mistakenFault("kind: gone, robots: prey, pick: 0", "'faults.pick' must be a whole number from 1"),
-                mistakenFault("kind: gone, robots: prey, devices: laser", "'devices' is not known in 'faults'"),
-                mistakenFault("kind: lost, robots: prey", "'robots' is not known in 'faults'"),
-                mistakenFault("kind: lost, share: 2", "'faults.share' must be a number from 0 to 1, not '2'"),
-                mistakenFault("kind: lost, delay: 2", "'delay' is not known"),
-                mistakenFault("kind: late, delay: -1", "'faults.delay' must be a number from 0 to 600"),
-                mistakenFault(
+                wrongFault("kind: noisy, robots: prey, devices: laser, range: -1", "'faults.range' must be a number"),
+                wrongFault("kind: gone, robots: prey, at: -5", "good.yaml:26:41: 'faults.at' must be a number from 0"),
+                wrongFault("kind: gone, robots: prey, for: 0", "'faults.for' must be a number from 0.01"),
+                wrongFault("kind: gone, robots: prey, for: [5, 1]", "'faults.for' must be [least, most]"),
+                wrongFault("kind: gone, robots: prey, for: [5]", "a list of 2 numbers"),
+                wrongFault("kind: gone, robots: prey, every: 0", "'faults.every' must be a number from 1"),
+                wrongFault("kind: gone, robots: prey, pick: 0", "'faults.pick' must be a whole number from 1"),
+                wrongFault("kind: gone, robots: prey, devices: laser", "'devices' is not known in 'faults'"),
+                wrongFault("kind: lost, robots: prey", "'robots' is not known in 'faults'"),
+                wrongFault("kind: lost, share: 2", "'faults.share' must be a number from 0 to 1, not '2'"),
+                wrongFault("kind: lost, delay: 2", "'delay' is not known"),
+                wrongFault("kind: late, delay: -1", "'faults.delay' must be a number from 0 to 600"),
+                wrongFault(
                         "kind: lost, from: chas",
                         "good.yaml:26:29: 'faults.from' must be an agent, a robot that has one",
                         "not 'chas'",
                         "Maybe 'chase'"),
-                mistakenCommunication("rnge: 5", "good.yaml:26:17: 'rnge' is not known in 'communication'", "'range'"),
-                mistakenCommunication("range: -1", "good.yaml:26:24: 'communication.range' must be a number from 0"),
-                mistakenCommunication("range: far", "'communication.range' must be a number", "not 'far'"),
-                mistakenCommunication("loss: 5", "'communication.loss' must be a number from 0 to 1, not '5'"),
-                mistakenCommunication("delay: [0.2, 0.1]", "'communication.delay' must be [least, most]"),
-                mistakenCommunication("delay: [0.2]", "'communication.delay' must be a list of 2 numbers"),
-                mistakenCommunication("delay: soon", "'communication.delay' must be a number from 0 to 600"),
-                mistakenCommunication("bandwidth: 0", "'communication.bandwidth' must be a number from 0.01"),
-                mistakenCommunication(
+                wrongCommunication("rnge: 5", "good.yaml:26:17: 'rnge' is not known in 'communication'", "'range'"),
+                wrongCommunication("range: -1", "good.yaml:26:24: 'communication.range' must be a number from 0"),
+                wrongCommunication("range: far", "'communication.range' must be a number", "not 'far'"),
+                wrongCommunication("loss: 5", "'communication.loss' must be a number from 0 to 1, not '5'"),
+                wrongCommunication("delay: [0.2, 0.1]", "'communication.delay' must be [least, most]"),
+                wrongCommunication("delay: [0.2]", "'communication.delay' must be a list of 2 numbers"),
+                wrongCommunication("delay: soon", "'communication.delay' must be a number from 0 to 600"),
+                wrongCommunication("bandwidth: 0", "'communication.bandwidth' must be a number from 0.01"),
+                wrongCommunication(
                         "range: 5, behindWalls: 15",
                         "good.yaml:26:40: 'communication.behindWalls' must be at most 'range', 5.0 m, not '15.0'",
                         "the other way round"),
                 List.of("run:\n  seed", "communication: none\nrun:\n  seed", "must be a group of settings"));
     }
 
-    private static List<String> mistakenCommunication(String limits, String... message) {
+    private static List<String> wrongCommunication(String limits, String... message) {
         return Stream.concat(
                         Stream.of("run:\n  seed", "communication: {%s}\nrun:\n  seed".formatted(limits)),
                         Stream.of(message))
                 .toList();
     }
 
-    private static List<String> mistakenFault(String fault, String... message) {
+    private static List<String> wrongFault(String fault, String... message) {
         return Stream.concat(
                         Stream.of("run:\n  seed", "faults: [{%s}]\nrun:\n  seed".formatted(fault)), Stream.of(message))
                 .toList();
     }
 
-    private static List<String> mistakenRobots(String name, String... message) {
+    private static List<String> wrongRobots(String name, String... message) {
         return Stream.concat(
                         Stream.of(
                                 "watch: {type: breaker}",
@@ -465,9 +463,9 @@ class ScenarioTest {
 
     @ParameterizedTest
     @MethodSource("wrong")
-    void everyMistakeSaysWhereWhatAndWhatToTry(List<String> example) {
+    void everyErrorSaysWhereWhatAndWhatToTry(List<String> example) {
         assertThat(GOOD).contains(example.get(0));
-        String message = mistakes(GOOD.replace(example.get(0), example.get(1)));
+        String message = errors(GOOD.replace(example.get(0), example.get(1)));
         assertThat(message).contains(example.subList(2, example.size())).doesNotContain("null", "Exception");
     }
 
@@ -553,7 +551,7 @@ class ScenarioTest {
                 .replaceAll("with: .*\n", "");
         String host = TWO_ROLES.replaceAll("with: \\{scenario.*", "with: own.yaml:without");
         write("own.yaml", own.replaceAll("without: .*", "without: {with: own.yaml}"));
-        assertThat(mistakes(host.replaceAll("first: .*\n.*without: .*", "first: {}")))
+        assertThat(errors(host.replaceAll("first: .*\n.*without: .*", "first: {}")))
                 .contains("good.yaml:11:7: Nobody says which robots here are 'thief' of scenario 'own:without'.");
         String one = host.replaceAll("  thief: .*\n", "").replaceAll("first: .*\n.*without: .*", "first: {}");
         assertThat(plan(one, RunOptions.NONE)
@@ -631,28 +629,28 @@ class ScenarioTest {
     @Test
     @LongTest
     void placesAreFoundOnAnotherMap() {
-        assertThat(mistakes(TWO_ROLES.replace("map: office", "map: cave"))).isEmpty();
+        assertThat(errors(TWO_ROLES.replace("map: office", "map: cave"))).isEmpty();
     }
 
     @Test
     void placesOfAnotherMapAreNoneHere() {
         String cave = TWO_ROLES.replace("map: office", "map: cave");
-        assertThat(mistakes(cave.replace("distribution:found", "distribution")))
+        assertThat(errors(cave.replace("distribution:found", "distribution")))
                 .contains(
                         "good.yaml:11:18: 'places' of agent 'dispersion' are places of map 'office', on which scenario"
                                 + " 'distribution:virtual' is; the one here is 'cave'.",
                         "arguments: {places:");
-        assertThat(mistakes(cave.replace("distribution:found", "distribution")
+        assertThat(errors(cave.replace("distribution:found", "distribution")
                         .replace("$often", "$often, places: 1 2; 3 4")))
                 .isEmpty();
     }
 
     @ParameterizedTest
     @MethodSource("wrongJoins")
-    void mistakesOfJoiningAreToldWhereTheyAre(List<String> example) {
+    void errorsOfJoiningAreToldWhereTheyAre(List<String> example) {
         assertThat(TWO_ROLES).contains(example.get(0));
         String message =
-                mistakes(TWO_ROLES.replace(example.get(0), example.get(1)).replaceAll("  without: .*\n", ""));
+                errors(TWO_ROLES.replace(example.get(0), example.get(1)).replaceAll("  without: .*\n", ""));
         assertThat(message).contains(example.subList(2, example.size())).doesNotContain("null", "Exception");
         assertThat(message.lines().filter(line -> line.contains("good.yaml:"))).hasSize(1);
     }
@@ -665,8 +663,8 @@ class ScenarioTest {
                 "kind: late, topics: pose, delay: 2, share: 20",
                 "kind: slip, robots: prey, way: far"
             })
-    void oneMistakeInAFaultMakesNoOtherOfWhatIsRight(String fault) {
-        assertThat(mistakes(GOOD.replace("run:\n  seed", "faults: [{%s}]\nrun:\n  seed".formatted(fault))))
+    void oneErrorInAFaultMakesNoOtherOfWhatIsRight(String fault) {
+        assertThat(errors(GOOD.replace("run:\n  seed", "faults: [{%s}]\nrun:\n  seed".formatted(fault))))
                 .doesNotContain("'devices' is", "'robots' is", "'topics' is", "'from' is", "'to' is", "'delay' is")
                 .containsAnyOf("'rnage'", "'20'", "'far'");
     }
@@ -680,35 +678,35 @@ class ScenarioTest {
                 .replace(
                         "metrics:\n  - {name: error, from: p95(poseError), per: robot, unit: m, better: less, bound: {max: 0.3}}\n",
                         "");
-        assertThat(mistakes(fake)).isEmpty();
-        assertThat(mistakes(fake + "faults: [{kind: lost, share: 0.5}]\n")).isEmpty();
-        assertThat(mistakes(fake + "faults: [{kind: dead, robots: prey, devices: laser}]\n"))
+        assertThat(errors(fake)).isEmpty();
+        assertThat(errors(fake + "faults: [{kind: lost, share: 0.5}]\n")).isEmpty();
+        assertThat(errors(fake + "faults: [{kind: dead, robots: prey, devices: laser}]\n"))
                 .contains("'prey/laser' can't be 'dead': Robot system 'fake' can't break robots on purpose.");
     }
 
     @Test
     void anAgentLeftAloneMustFindTheRobotsItLooksFor() {
         String hunt = GOOD.replace("watch: {type: breaker}", "watch: {type: follow, robot: hunter}");
-        String mistake = "'agents.watch.parameters.prey' must be a role of robots or the id of one, not 'prey'";
-        assertThat(mistakes(hunt)).doesNotContain(mistake);
-        assertThat(mistakes(hunt.replace("prey", "rabbit"))).contains("good.yaml:23:10", mistake);
+        String error = "'agents.watch.parameters.prey' must be a role of robots or the id of one, not 'prey'";
+        assertThat(errors(hunt)).doesNotContain(error);
+        assertThat(errors(hunt.replace("prey", "rabbit"))).contains("good.yaml:23:10", error);
     }
 
     @Test
     void robotsThatCanNotBeReadAreNotMissed() {
         String text = GOOD.replace("pioneer3at", "pioneer9at")
                 .replace("watch: {type: breaker}", "watch: {type: view, parameters: {robot: hunter-1}}");
-        assertThat(mistakes(text)).contains("'pioneer9at'").doesNotContain("'hunter-1'");
+        assertThat(errors(text)).contains("'pioneer9at'").doesNotContain("'hunter-1'");
     }
 
     @Test
-    void tellsAllMistakesTogether() {
+    void tellsAllErrorsTogether() {
         String text = GOOD.replace("title: A good", "titel: A good")
                 .replace("min: 1", "min: one")
                 .replace("[$start, -1.0, 180]", "[-31.45, -1, 0]")
                 .replace("speed: 0.2", "speed: fast")
                 .replace("time > 30", "time >> 30");
-        assertThat(mistakes(text))
+        assertThat(errors(text))
                 .contains(
                         "'titel'",
                         "'arguments.hunters.min'",
@@ -718,22 +716,22 @@ class ScenarioTest {
     }
 
     @Test
-    void aMistakeIsToldOnceAndNotAgainForWhatFollowsFromIt() {
-        assertThat(mistakes(GOOD.replace("type: integer, default: 2", "type: integer, default: 9"))
+    void anErrorIsToldOnceAndNotAgainForWhatFollowsFromIt() {
+        assertThat(errors(GOOD.replace("type: integer, default: 2", "type: integer, default: 9"))
                         .lines())
                 .as("the argument stands for the number of hunters")
                 .hasSize(1);
-        assertThat(mistakes(GOOD.replace("count: $hunters", "count: $huntrs")).lines())
+        assertThat(errors(GOOD.replace("count: $hunters", "count: $huntrs")).lines())
                 .as("its value isn't a number")
                 .filteredOn(line -> line.startsWith("good.yaml"))
                 .hasSize(1);
     }
 
     @Test
-    void mistakesThatComeOfWhatWasSetSaySo() {
-        String mistaken = GOOD.replace("robot: hunter}", "robot: huntr}");
+    void errorsThatComeOfWhatWasSetSaySo() {
+        String invalid = GOOD.replace("robot: hunter}", "robot: huntr}");
         assertThatThrownBy(() ->
-                        scenario(mistaken).plan(RunOptions.NONE.withArguments(Map.of("start", "900", "hunters", "3"))))
+                        scenario(invalid).plan(RunOptions.NONE.withArguments(Map.of("start", "900", "hunters", "3"))))
                 .hasMessageContaining("good.yaml:13:11: Robot 'prey'")
                 .hasMessageContaining("It comes of --set start=900.")
                 .hasMessageContaining("'huntr'")
@@ -744,7 +742,7 @@ class ScenarioTest {
     }
 
     @Test
-    void mistakesOfOptionsAreToldToo() {
+    void errorsOfOptionsAreToldToo() {
         Scenario scenario = scenario(GOOD);
         assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.withConfiguration("secnd")))
                 .hasMessageContaining("no configuration 'secnd'")
@@ -843,7 +841,7 @@ class ScenarioTest {
                 sensors: {}
                 """);
         String text = GOOD.replace("model: pioneer3at", "model: car.yaml\n    devices: {pilot: {}}");
-        assertThat(mistakes(text))
+        assertThat(errors(text))
                 .contains("good.yaml:18:22: Device driver 'pilot' can't work on this robot.")
                 .contains("which a car 'car.yaml' can't");
     }
@@ -858,7 +856,7 @@ class ScenarioTest {
                                         'b' + i,
                                         "*%c, ".formatted('a' + i).repeat(9)))
                         .collect(Collectors.joining());
-        assertThat(mistakes(bomb)).containsPattern("more than 20000 values|Number of aliases|aliases");
+        assertThat(errors(bomb)).containsPattern("more than 20000 values|Number of aliases|aliases");
     }
 
     @Test

@@ -118,7 +118,7 @@ class ThingsTest {
             every: 20                | reach: {within: 2}        | 16 | 'things.can.reach.by' is missing
             clearance: 0.5           | clearance: 0.5, passage: 1| 11 | 'passage' must not be more than 'clearance', which is 0.5.
             """)
-    void mistakesSayWhereAndWhat(String right, String wrong, int line, String message) {
+    void errorsSayWhereAndWhat(String right, String wrong, int line, String message) {
         String text = SCENARIO.replace(right, wrong == null ? "" : wrong);
         assertThatThrownBy(() -> plan(text, 1))
                 .isInstanceOfSatisfying(

@@ -177,7 +177,7 @@ class WorldScenarioTest {
             robot: cart                     | robot: position                  | needs a robot with a Pilot
             {type: wander, robot: cart}     | {type: nav, robot: position}     | needs a robot with a Navigator
             """)
-    void mistakesAreTold(String right, String wrong, String expected) {
+    void errorsAreTold(String right, String wrong, String expected) {
         assertThat(SCENARIO).contains(right);
         assertThatThrownBy(() -> planned(SCENARIO.replace(right, wrong)))
                 .isInstanceOf(InvalidSettings.class)
@@ -272,7 +272,7 @@ class WorldScenarioTest {
     }
 
     @Test
-    void mistakesOfTheWorldAreToldWhereTheyAre() throws IOException {
+    void errorsOfTheWorldAreToldWhereTheyAre() throws IOException {
         Files.writeString(folder.resolve("hall.world"), "model ( size [1 2] )");
         assertThatThrownBy(() -> planned(SCENARIO))
                 .isInstanceOf(InvalidSettings.class)

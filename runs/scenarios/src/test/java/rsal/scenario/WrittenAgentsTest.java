@@ -67,7 +67,7 @@ class WrittenAgentsTest {
     }
 
     @Test
-    void theirMistakesAreTheScenarios() throws IOException {
+    void theirErrorsAreTheScenarios() throws IOException {
         refuses(SCENARIO.replace("own.asl", "none.asl"), "scenario.yaml:10:15: There is no file 'none.asl'.");
         refuses(SCENARIO.replace("own.asl", "../own.asl"), "scenario.yaml:10:15: '../own.asl' lies outside");
         refuses(SCENARIO.replace("speed:", "sped:"), "scenario.yaml:10:47: 'sped' is not known", "Maybe 'speed'");

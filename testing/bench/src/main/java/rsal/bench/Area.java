@@ -3,8 +3,8 @@ package rsal.bench;
 import java.util.ArrayList;
 import java.util.List;
 import rsal.bench.mas.HostBench;
+import rsal.bench.mas.LanguageBench;
 import rsal.bench.mas.OverheadBench;
-import rsal.bench.mas.WrittenBench;
 import rsal.bench.measurement.Bench;
 import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.MeasurementFailed;
@@ -74,7 +74,7 @@ public record Area(String name, List<Bench> benches) {
         return List.of(
                 new Area("sim", List.of(new SwarmBench())),
                 new Area("run", List.of(new RunBench())),
-                new Area("mas", List.of(new HostBench(), new OverheadBench(), new WrittenBench())),
+                new Area("mas", List.of(new HostBench(), new OverheadBench(), new LanguageBench())),
                 new Area("player", List.of(RemoteBench.player())),
                 new Area(
                         "ros2",

@@ -17,7 +17,8 @@ import rsal.device.SimulationControl.Thing;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Knows of colored things where they lie, as somebody does who has seen them, and has them fetched ([Orders]). In a
+/// Knows of colored things where they lie, as somebody does who has seen them, and has them fetched ([FetchRequests]).
+/// In a
 /// simulated world it puts them there at its start; a simulated thing may so stand for one that a real robot
 /// fetches. Needs no robot.
 public final class BlobAgent extends AgentTypeBase {
@@ -74,7 +75,7 @@ public final class BlobAgent extends AgentTypeBase {
 
         Known(AgentContext self, List<CollectGoal> things) {
             this.self = self;
-            this.orders = Orders.service(self);
+            this.orders = FetchRequests.service(self);
             this.open = new ArrayList<>(things);
             this.all = things.size();
         }
@@ -89,7 +90,7 @@ public final class BlobAgent extends AgentTypeBase {
             if (!open.contains(thing)) {
                 return;
             }
-            Orders.master(self)
+            FetchRequests.master(self)
                     .ifPresentOrElse(
                             master -> orders.ask(master, thing, ending -> {
                                 if (ending instanceof ConversationResult.Informed) {
@@ -102,7 +103,7 @@ public final class BlobAgent extends AgentTypeBase {
         }
 
         private void later(CollectGoal thing) {
-            self.scheduler().after(Orders.REPEAT, () -> ask(thing));
+            self.scheduler().after(FetchRequests.REPEAT, () -> ask(thing));
         }
 
         private void forget(CollectGoal thing) {

@@ -10,8 +10,8 @@ import rsal.agent.protocol.Request;
 import rsal.agents.parts.TargetTracks;
 import rsal.data.Point2d;
 
-/// What was found, by oneself and by others, and is to be fetched: new things are asked for ([Orders]). New is a thing
-/// of which nobody has said for ten seconds that it is taken care of, that lies in no depot, and that is not where a
+/// What was found, by oneself and by others, and is to be fetched: new things are asked for ([FetchRequests]). A thing
+/// is new if nobody has reported for ten seconds that it is taken care of. It must lie in no depot, and not where a
 /// robot is, which may carry it.
 final class Detections {
     /// How long is remembered what is not heard of again.
@@ -30,7 +30,7 @@ final class Detections {
         this.self = self;
         this.robots = new TargetTracks(self.blackboard());
         this.depots = new Depots(self);
-        this.orders = Orders.service(self);
+        this.orders = FetchRequests.service(self);
     }
 
     void begin() {
@@ -48,7 +48,7 @@ final class Detections {
 
     /// Has it fetched, as soon as there is somebody to ask.
     private void ask(CollectGoal found) {
-        Orders.master(self).ifPresent(master -> {
+        FetchRequests.master(self).ifPresent(master -> {
             asked.add(found);
             publish();
             orders.ask(master, found, ending -> {

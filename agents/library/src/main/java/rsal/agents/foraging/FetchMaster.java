@@ -22,6 +22,6 @@ public final class FetchMaster extends AgentTypeBase {
 
     @Override
     protected void begin(AgentContext self, Arguments arguments) {
-        new Orders(self, arguments).begin();
+        new FetchRequests(self, arguments).begin();
     }
 }

@@ -42,7 +42,7 @@ final class FetchTask {
     private static final Tolerance STANDOFF = Tolerance.position(0.9);
     private static final Tolerance AT_DEPOT = Tolerance.position(0.3);
     private static final double NEAR = 2.0; // m, in which it opens its gripper
-    private static final double TOLERATED = 1.0; // m from where the thing should be, by both robots' mistakes
+    private static final double TOLERATED = 1.0; // m from where the thing should be, by both robots' errors
     private static final double SAME = 0.4; // m between two looks at it
     private static final double STOP_DISTANCE = 0.1; // m
     private static final double MOST_TURN = 1.0; // rad/s

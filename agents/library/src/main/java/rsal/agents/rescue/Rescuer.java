@@ -117,13 +117,13 @@ public abstract class Rescuer extends AgentTypeBase {
             Exploring exploring = parts.exploring;
             double reach = arguments.get(REACH);
             Duration stay = arguments.seconds(STAY_TIME);
-            var wavefront = new PlannedPaths(parts.robot.find(Planner.class), Helping.near(reach));
+            var wavefront = new PlannedPaths(parts.robot.find(Planner.class), HelpVictim.near(reach));
             var worker = new Worker(self, wavefront, parts.reporter::mapFromBase, now -> {
                 if (now.job().isEmpty()) {
                     exploring.say();
                 }
             });
-            worker.learn(Help.class, new Helping(parts, reach, stay));
+            worker.learn(Help.class, new HelpVictim(parts, reach, stay));
             var goals = new GoalService(
                     self,
                     parts.robot.id(),

@@ -26,7 +26,7 @@ public final class Propose<P> {
     /// the words of the one who did
     public Conversation propose(
             String to, P what, RetryPolicy patience, Consumer<? super ConversationResult<String>> onEnd) {
-        return Talk.begin(
+        return PartnerConversation.begin(
                 conversations, to, patience, new ProtocolOutcome<>(String.class, onEnd), Performative.PROPOSE, what);
     }
 

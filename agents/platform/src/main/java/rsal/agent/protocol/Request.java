@@ -30,7 +30,7 @@ public final class Request<Q, A> {
 
     /// @param onEnd told once, on the agent's lane; at once when it is cancelled
     public Conversation ask(String to, Q what, RetryPolicy patience, Consumer<? super ConversationResult<A>> onEnd) {
-        return Talk.begin(
+        return PartnerConversation.begin(
                 conversations, to, patience, new ProtocolOutcome<>(answer, onEnd), Performative.REQUEST, what);
     }
 
@@ -43,7 +43,7 @@ public final class Request<Q, A> {
     }
 
     /// Something another agent asks for. What is said after that agent has gone or cancelled it does nothing; a second
-    /// answer is a mistake of the one who gives it ([IllegalStateException]).
+    /// answer is an error of the one who gives it ([IllegalStateException]).
     public interface Asked<Q, A> {
         /// Name of the agent that asks.
         String from();

@@ -49,7 +49,7 @@ public final class Subscribe<Q, A> {
                 }
             }
         };
-        return Talk.begin(conversations, to, patience, outcome, Performative.SUBSCRIBE, what);
+        return PartnerConversation.begin(conversations, to, patience, outcome, Performative.SUBSCRIBE, what);
     }
 
     /// From now on admits subscribers.

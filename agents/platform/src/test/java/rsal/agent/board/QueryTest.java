@@ -74,7 +74,7 @@ class QueryTest {
                 .hasMessageContaining("has 2001 characters");
         assertThatThrownBy(() -> new Note<>(CANS, "can", "red", nowhere, "amy", Instant.EPOCH, Duration.ZERO))
                 .hasMessageContaining("up to a year");
-        @SuppressWarnings({"unchecked", "rawtypes"}) // as an agent with a mistake does
+        @SuppressWarnings({"unchecked", "rawtypes"}) // as an agent with an error does
         Topic<Object> raw = (Topic) CANS;
         assertThatThrownBy(() -> new Note<>(raw, "can", 1, nowhere, "amy", Instant.EPOCH, Duration.ofSeconds(1)))
                 .hasMessageContaining("carries String, not '1'");

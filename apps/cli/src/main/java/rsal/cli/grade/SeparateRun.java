@@ -21,7 +21,7 @@ import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/// Runs a scenario in processes of their own, each with bounded time and memory. This is a guard against mistakes, as
+/// Runs a scenario in processes of their own, each with bounded time and memory. This is a guard against errors, as
 /// an endless loop, and no sandbox: agents in Java may do all that the person may who starts them.
 ///
 /// @param java the command that starts RSAL, with its bound of memory
@@ -42,7 +42,7 @@ record SeparateRun(List<String> java, Path folder, String scenario, Path logs, D
     ///
     /// @param outcome of the scenario (`success`, `failure`, `timeout`, `limit`), or `invalid`, `broken`,
     ///         `time limit`, `memory limit`
-    /// @param success whether the run ended in success, and no agent by a mistake
+    /// @param success whether the run ended in success, and no agent by an error
     /// @param metrics by name, without those that had nothing to measure
     /// @param message empty when there is nothing to say
     record Result(

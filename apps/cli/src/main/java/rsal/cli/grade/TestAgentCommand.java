@@ -44,7 +44,7 @@ public final class TestAgentCommand extends Subcommand {
                 .plan(reference
                         .configuration()
                         .map(RunOptions.NONE::withConfiguration)
-                        .orElse(RunOptions.NONE)); // tells mistakes once
+                        .orElse(RunOptions.NONE)); // tells errors once
         try {
             Path logs = Files.createTempDirectory("rsal-test-agent-");
             SeparateRun run = limits.run(Path.of("").toAbsolutePath(), scenario, logs);

@@ -19,8 +19,8 @@ import rsal.cli.log.LocalizeResult.RunView;
 import rsal.cli.log.LocalizeResult.Summary;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileError;
 import rsal.cli.terminal.FileName;
-import rsal.cli.terminal.Mistake;
 import rsal.cli.terminal.Subcommand;
 import rsal.data.Covariance2d;
 import rsal.data.OccupancyGrid;
@@ -34,7 +34,7 @@ import rsal.navigation.amcl.OdometryModel;
 import rsal.navigation.amcl.SensorModel;
 import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.log.RobotLog;
-import rsal.navigation.replay.Course;
+import rsal.navigation.replay.RecordedDrive;
 import rsal.navigation.replay.Replay;
 import rsal.navigation.replay.Verdict;
 import rsal.settings.Arguments;
@@ -172,25 +172,25 @@ public final class LocalizeCommand extends Subcommand {
         Optional<Destination> target = Optional.ofNullable(saveMap).map(this::target);
         Optional<OdometryModel> noise = recorded.noise();
         RobotLog log = recorded.read(file);
-        Course course = recorded.course(log, file);
-        if (course.stops().isEmpty()) {
+        RecordedDrive drive = recorded.drive(log, file);
+        if (drive.stops().isEmpty()) {
             throw LogOptions.nothingKnown(file, "odometry", log);
         }
-        LogOptions.checkReturns(file, course);
+        LogOptions.checkReturns(file, drive);
         target.ifPresent(Destination::prepareExisting);
-        OccupancyGrid grid = grid(course);
+        OccupancyGrid grid = grid(drive);
         checkStart(grid);
         LocalizationMap localizationMap = LocalizerTuning.map(grid, tuned);
         checkSize(localizationMap, grid);
         target.ifPresent(folder -> save(grid, folder));
         if (map.fromHalf) {
-            course = course.only(i -> i % 2 == 1);
+            drive = drive.only(i -> i % 2 == 1);
         }
         var report = new LocalizeReport(out(), err());
         var runs = new ArrayList<RunView>();
         var verdicts = new ArrayList<Verdict>();
         for (int seed = 1; seed <= seeds; seed++) {
-            List<Replay.Step> steps = follow(course, localizationMap, tuned, noise, seed);
+            List<Replay.Step> steps = follow(drive, localizationMap, tuned, noise, seed);
             Verdict verdict = Verdict.of(steps);
             RunView run = RunView.of(seed, steps, verdict);
             runs.add(run);
@@ -204,8 +204,8 @@ public final class LocalizeCommand extends Subcommand {
             printJson(new LocalizeResult(
                     file,
                     map.map == null ? "from half" : map.map,
-                    course.stops().size(),
-                    course.omitted(),
+                    drive.stops().size(),
+                    drive.omitted(),
                     log.skipped().counts(),
                     summary,
                     runs));
@@ -215,7 +215,7 @@ public final class LocalizeCommand extends Subcommand {
         }
         LogOptions.printWandering(err(), file, log);
         LogOptions.printOddities(err(), file, log);
-        report.printDoubts(file, course, runs);
+        report.printDoubts(file, drive, runs);
         return Exit.SUCCESS;
     }
 
@@ -275,12 +275,16 @@ public final class LocalizeCommand extends Subcommand {
     }
 
     private List<Replay.Step> follow(
-            Course course, LocalizationMap localizationMap, Arguments tuned, Optional<OdometryModel> noise, int seed) {
+            RecordedDrive drive,
+            LocalizationMap localizationMap,
+            Arguments tuned,
+            Optional<OdometryModel> noise,
+            int seed) {
         var random = new SplittableRandom(seed);
-        int last = course.stops().size() - 1;
+        int last = drive.stops().size() - 1;
         int first = varyStart ? random.nextInt(Math.max(1, last + 2 - Math.min(scans, last + 1))) : 0;
-        Course part = course.only(i -> i >= first && i - first < scans);
-        Course driven = noise.isPresent() ? part.drifting(noise.get(), random) : part;
+        RecordedDrive part = drive.only(i -> i >= first && i - first < scans);
+        RecordedDrive driven = noise.isPresent() ? part.drifting(noise.get(), random) : part;
         var amcl =
                 new Amcl(localizationMap, LocalizerTuning.settings(minParticles, maxParticles, model, tuned), random);
         startPose(driven)
@@ -288,26 +292,26 @@ public final class LocalizeCommand extends Subcommand {
         return Replay.run(driven, amcl, new Replay.Look(beams, maxRange), System::nanoTime);
     }
 
-    private Optional<Pose2d> startPose(Course course) {
+    private Optional<Pose2d> startPose(RecordedDrive drive) {
         if (start == null || start.global) {
             return Optional.empty();
         }
         if (start.pose != null) {
             return Optional.of(Pose2d.ofDegrees(start.pose[0], start.pose[1], start.pose[2]));
         }
-        return course.stops().getFirst().mapFromBase().or(() -> {
+        return drive.stops().getFirst().mapFromBase().or(() -> {
             throw new InvalidSettings(
                     Location.of(file), "The log has no pose for its first scan.", "Say --pose or --global.");
         });
     }
 
-    private OccupancyGrid grid(Course course) throws IOException {
+    private OccupancyGrid grid(RecordedDrive drive) throws IOException {
         if (map.map != null) {
             Maps.Found found = new Maps(FileSource.disk()).find(map.map, Location.of("--map"));
-            found.warnings().forEach(warning -> err().println(Mistake.note(warning)));
+            found.warnings().forEach(warning -> err().println(FileError.note(warning)));
             return found.grid();
         }
-        var half = course.only(i -> i % 2 == 0).posed();
+        var half = drive.only(i -> i % 2 == 0).posed();
         if (half.isEmpty()) {
             throw new InvalidSettings(
                     Location.of(file), "The log has no poses for its scans.", "Say --map or --reference.");

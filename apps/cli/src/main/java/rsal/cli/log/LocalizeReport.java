@@ -7,7 +7,7 @@ import rsal.cli.log.LocalizeResult.RunView;
 import rsal.cli.log.LocalizeResult.StepView;
 import rsal.cli.log.LocalizeResult.Summary;
 import rsal.data.PoseEstimate.Quality;
-import rsal.navigation.replay.Course;
+import rsal.navigation.replay.RecordedDrive;
 import rsal.scenario.text.Counted;
 
 /// Says for people how well a robot was localized.
@@ -85,13 +85,13 @@ final class LocalizeReport {
     }
 
     /// What nobody should miss who looks at the last poses only.
-    void printDoubts(String file, Course course, List<RunView> runs) {
-        if (course.omitted() > 0) {
+    void printDoubts(String file, RecordedDrive drive, List<RunView> runs) {
+        if (drive.omitted() > 0) {
             err.println("%s: %d of %d scans were skipped: the log has no odometry for them."
                     .formatted(
                             file,
-                            course.omitted(),
-                            course.omitted() + course.stops().size()));
+                            drive.omitted(),
+                            drive.omitted() + drive.stops().size()));
         }
         double lost = runs.stream().mapToDouble(RunView::lost).average().orElse(0);
         if (lost > MOSTLY) {

@@ -83,8 +83,8 @@ public final class LogConversion implements Conversion {
             if (isNew) {
                 delete(target);
             }
-            if (e instanceof RuntimeException mistake) {
-                throw mistake;
+            if (e instanceof RuntimeException error) {
+                throw error;
             }
             throw new Unreachable("It can't be written: %s.".formatted(e));
         }

@@ -15,7 +15,7 @@ import rsal.cli.log.MapResult.Turned;
 import rsal.cli.log.MapResult.Wandered;
 import rsal.data.Pose2d;
 import rsal.navigation.log.RobotLog;
-import rsal.navigation.replay.Course;
+import rsal.navigation.replay.RecordedDrive;
 import rsal.navigation.slam.MapOverlap;
 import rsal.navigation.slam.Merge;
 import rsal.navigation.slam.Relation;
@@ -40,7 +40,7 @@ final class LogMapper {
     private final List<Merged> merged = new ArrayList<>();
 
     /// One robot's scans and, once they are mapped, where they are in its graph.
-    record Robot(String file, RobotLog log, Course course, List<Slam.Located> located) {}
+    record Robot(String file, RobotLog log, RecordedDrive drive, List<Slam.Located> located) {}
 
     /// @param maxRange ranges beyond are not looked at [m]
     /// @param err where progress is told
@@ -100,9 +100,9 @@ final class LogMapper {
 
     private Slam mapped(Robot robot) {
         var slam = new Slam(Slam.Settings.DEFAULT.within(maxRange));
-        List<Course.Stop> stops = robot.course().stops();
+        List<RecordedDrive.Stop> stops = robot.drive().stops();
         long reported = System.nanoTime();
-        for (Course.Stop stop : stops) {
+        for (RecordedDrive.Stop stop : stops) {
             robot.located().add(slam.add(stop.odomFromBase(), stop.scan()));
             if (System.nanoTime() - reported > TOLD_EVERY) {
                 reported = System.nanoTime();
@@ -194,9 +194,9 @@ final class LogMapper {
         var right = new ArrayList<Pose2d>();
         var wheels = new ArrayList<Pose2d>();
         var judged = new ArrayList<Pose2d>();
-        List<Course.Stop> stops = robot.course().stops();
+        List<RecordedDrive.Stop> stops = robot.drive().stops();
         for (int i = 0; i < stops.size(); i++) {
-            Course.Stop stop = stops.get(i);
+            RecordedDrive.Stop stop = stops.get(i);
             Slam.Located located = robot.located().get(i);
             stop.mapFromBase().ifPresent(pose -> {
                 right.add(pose);
@@ -207,7 +207,7 @@ final class LogMapper {
         return new Drawn(
                 robot.file(),
                 stops.size(),
-                robot.course().omitted(),
+                robot.drive().omitted(),
                 robot.log().skipped().counts(),
                 slam.frameCount(),
                 loops(slam),
@@ -221,7 +221,7 @@ final class LogMapper {
     /// @param offset number of the robot's first frame in the whole graph
     private static String trajectory(Robot robot, Slam own, Slam whole, int offset) {
         var text = new StringBuilder("# time x y z qx qy qz qw\n");
-        List<Course.Stop> stops = robot.course().stops();
+        List<RecordedDrive.Stop> stops = robot.drive().stops();
         for (int i = 0; i < stops.size(); i++) {
             Slam.Located at = robot.located().get(i);
             Pose2d pose =

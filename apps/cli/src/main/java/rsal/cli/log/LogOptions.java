@@ -21,8 +21,8 @@ import rsal.navigation.log.BrokenLog;
 import rsal.navigation.log.LaserHints;
 import rsal.navigation.log.LogFormats;
 import rsal.navigation.log.RobotLog;
-import rsal.navigation.replay.Course;
 import rsal.navigation.replay.Leap;
+import rsal.navigation.replay.RecordedDrive;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 
@@ -163,12 +163,12 @@ final class LogOptions {
     /// the log's own are not.
     ///
     /// @param file of the log
-    Course course(RobotLog log, String file) {
-        Course course = Course.of(log).withoutLeaps();
+    RecordedDrive drive(RobotLog log, String file) {
+        RecordedDrive drive = RecordedDrive.of(log).withoutLeaps();
         if (reference == null) {
-            return isWithoutReference() ? course.unjudged() : course;
+            return isWithoutReference() ? drive.unjudged() : drive;
         }
-        Course judged = course.judgedBy(read(reference));
+        RecordedDrive judged = drive.judgedBy(read(reference));
         if (judged.posed().isEmpty()) {
             throw new InvalidSettings(
                     Location.of(reference),
@@ -201,15 +201,15 @@ final class LogOptions {
     }
 
     /// @throws InvalidSettings when no beam of any scan hit anything, so that there is nothing to go by
-    static void checkReturns(String file, Course course) {
-        boolean hit = course.stops().stream()
-                .map(Course.Stop::scan)
+    static void checkReturns(String file, RecordedDrive drive) {
+        boolean hit = drive.stops().stream()
+                .map(RecordedDrive.Stop::scan)
                 .anyMatch(scan -> IntStream.range(0, scan.count()).anyMatch(scan::isHit));
         if (!hit) {
             throw new InvalidSettings(
                     Location.of(file),
                     "No beam of any of its %d scans hit anything."
-                            .formatted(course.stops().size()),
+                            .formatted(drive.stops().size()),
                     "Maybe its ranges are in another unit: they must be in meters, below %.0f."
                             .formatted(LaserHints.DEFAULT.rangeMax()));
         }
@@ -260,7 +260,7 @@ final class LogOptions {
                         ("The headings in '%s' are probably degrees: they go to %.1f, in steps of more than a radian."
                                         + " CARMEN's are radians: multiply them by π / 180.")
                                 .formatted(file, most)));
-        List<Leap> leaps = Course.of(log).leaps();
+        List<Leap> leaps = RecordedDrive.of(log).leaps();
         if (!leaps.isEmpty()) {
             err.println("The odometry of '%s' leaps %s. The robot is taken to have stood still meanwhile."
                     .formatted(file, leaps.size() == 1 ? "once" : leaps.size() + " times"));

@@ -17,7 +17,7 @@ import picocli.CommandLine.Parameters;
 import rsal.cli.log.LogMapper.Robot;
 import rsal.cli.log.MapResult.Drawn;
 import rsal.cli.log.MapResult.Merged;
-import rsal.cli.log.MapResult.Strained;
+import rsal.cli.log.MapResult.Residuals;
 import rsal.cli.log.MapResult.ThroughWalls;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
@@ -28,7 +28,7 @@ import rsal.map.RosMap;
 import rsal.navigation.amcl.OdometryModel;
 import rsal.navigation.grid.ScanMapper;
 import rsal.navigation.log.RobotLog;
-import rsal.navigation.replay.Course;
+import rsal.navigation.replay.RecordedDrive;
 import rsal.navigation.slam.FreeSpaceViolation;
 import rsal.navigation.slam.GraphResidual;
 import rsal.navigation.slam.Slam;
@@ -117,12 +117,12 @@ public final class MapCommand extends Subcommand {
         Made made = knownPoses ? drawn(robots.getFirst()) : mapped(robots);
         Map<String, byte[]> contents = contents(made);
         folder.write(contents);
-        GraphResidual strain = made.slam().strain();
+        GraphResidual residual = made.slam().graphResidual();
         Optional<FreeSpaceViolation> contradiction = made.slam().contradiction(); // of no scans when poses are known
         var result = new MapResult(
                 made.logs(),
                 made.merged(),
-                knownPoses ? null : Strained.of(strain),
+                knownPoses ? null : Residuals.of(residual),
                 ThroughWalls.of(contradiction),
                 made.grid().width(),
                 made.grid().height(),
@@ -133,7 +133,7 @@ public final class MapCommand extends Subcommand {
                         .toList());
         robots.forEach(robot -> printOfLog(robot.file(), robot.log()));
         var report = new MapReport(out(), err());
-        report.warn(result, made.slam(), strain, contradiction);
+        report.warn(result, made.slam(), residual, contradiction);
         if (json) {
             printJson(result);
         } else {
@@ -145,9 +145,9 @@ public final class MapCommand extends Subcommand {
     private Made drawn(Robot robot) {
         return new Made(
                 new Slam(Slam.Settings.DEFAULT),
-                List.of(Drawn.ofKnownPoses(robot.file(), robot.course(), robot.log())),
+                List.of(Drawn.ofKnownPoses(robot.file(), robot.drive(), robot.log())),
                 List.of(),
-                grid(robot, robot.course().posed()),
+                grid(robot, robot.drive().posed()),
                 Map.of());
     }
 
@@ -214,15 +214,15 @@ public final class MapCommand extends Subcommand {
         var robots = new ArrayList<Robot>();
         for (String file : files) {
             RobotLog log = recorded.read(file);
-            Course course = recorded.course(log, file);
-            if (course.stops().isEmpty() || (knownPoses && course.posed().isEmpty())) {
+            RecordedDrive drive = recorded.drive(log, file);
+            if (drive.stops().isEmpty() || (knownPoses && drive.posed().isEmpty())) {
                 throw LogOptions.nothingKnown(file, knownPoses ? "pose" : "odometry", log);
             }
-            LogOptions.checkReturns(file, course);
+            LogOptions.checkReturns(file, drive);
             robots.add(new Robot(
                     file,
                     log,
-                    noise.isPresent() ? course.drifting(noise.get(), random.split()) : course,
+                    noise.isPresent() ? drive.drifting(noise.get(), random.split()) : drive,
                     new ArrayList<>()));
         }
         return robots;

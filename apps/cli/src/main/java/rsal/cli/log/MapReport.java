@@ -7,7 +7,7 @@ import rsal.cli.log.MapResult.Bent;
 import rsal.cli.log.MapResult.Drawn;
 import rsal.cli.log.MapResult.Errors;
 import rsal.cli.log.MapResult.Merged;
-import rsal.cli.log.MapResult.Strained;
+import rsal.cli.log.MapResult.Residuals;
 import rsal.data.Pose2d;
 import rsal.navigation.slam.FreeSpaceViolation;
 import rsal.navigation.slam.GraphResidual;
@@ -26,11 +26,11 @@ final class MapReport {
     }
 
     /// Warns of a map that is probably wrong.
-    void warn(MapResult result, Slam slam, GraphResidual strain, Optional<FreeSpaceViolation> contradiction) {
+    void warn(MapResult result, Slam slam, GraphResidual residual, Optional<FreeSpaceViolation> contradiction) {
         result.logs().forEach(this::warn);
-        result.merged().stream().filter(Merged::tooMuch).forEach(this::warn);
+        result.merged().stream().filter(Merged::tooLarge).forEach(this::warn);
         contradiction.filter(FreeSpaceViolation::isTooMuch).ifPresent(most -> warn(most, slam));
-        strain.tooMuch().ifPresent(step -> warn(step, slam));
+        residual.tooLarge().ifPresent(step -> warn(step, slam));
     }
 
     void print(MapResult result) {
@@ -55,7 +55,7 @@ final class MapReport {
                                     one.squareMeters(),
                                     100 * one.against(),
                                     100 * one.throughWalls()));
-            if (one.tooMuch() && one.worst() != null) {
+            if (one.tooLarge() && one.worst() != null) {
                 out.println("  they contradict each other: %.2f%% is more than %.1f%%, most of it %s"
                         .formatted(
                                 100 * one.against(),
@@ -63,8 +63,8 @@ final class MapReport {
                                 one.worst().words()));
             }
         }
-        if (result.strain() != null) {
-            print(result.strain());
+        if (result.residual() != null) {
+            print(result.residual());
         }
         if (result.contradiction() != null) {
             out.println("  %-24s %.0f%% of the beams (scan %d to %d)"
@@ -121,13 +121,13 @@ final class MapReport {
                 .formatted(from.x(), from.y(), to.x(), to.y(), most.from(), most.to(), 100 * most.share()));
     }
 
-    private void print(Strained strain) {
-        print("wheels, at most", strain.wheels());
-        print("scans, at most", strain.scans());
-        print("all of them, at least", strain.all());
-        if (strain.blind() > 0) {
+    private void print(Residuals residual) {
+        print("wheels, at most", residual.wheels());
+        print("scans, at most", residual.scans());
+        print("all of them, at least", residual.all());
+        if (residual.blind() > 0) {
             out.println("  no scan confirms %d of %d steps: there the map is only as accurate as the odometry"
-                    .formatted(strain.blind(), strain.steps()));
+                    .formatted(residual.blind(), residual.steps()));
         }
     }
 

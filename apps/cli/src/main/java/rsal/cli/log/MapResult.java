@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.data.Pose2d;
 import rsal.navigation.log.RobotLog;
-import rsal.navigation.replay.Course;
+import rsal.navigation.replay.RecordedDrive;
 import rsal.navigation.slam.FreeSpaceViolation;
 import rsal.navigation.slam.GraphResidual;
 import rsal.navigation.slam.MapOverlap;
@@ -18,12 +18,12 @@ import rsal.navigation.slam.TurnAgreement;
 /// @param merged the logs after the first
 /// @param columns of the map
 /// @param rows of the map
-/// @param strain null when poses were known
+/// @param residual null when poses were known
 /// @param contradiction null when poses were known, and when there were too few scans to tell
 record MapResult(
         List<Drawn> logs,
         List<Merged> merged,
-        @Nullable Strained strain,
+        @Nullable Residuals residual,
         @Nullable ThroughWalls contradiction,
         int columns,
         int rows,
@@ -67,13 +67,13 @@ record MapResult(
             @Nullable Turned turns,
             @Nullable Wandered wandering) {
         /// Of a log whose poses are right.
-        static Drawn ofKnownPoses(String file, Course course, RobotLog log) {
+        static Drawn ofKnownPoses(String file, RecordedDrive drive, RobotLog log) {
             return new Drawn(
                     file,
-                    course.stops().size(),
-                    course.omitted(),
+                    drive.stops().size(),
+                    drive.omitted(),
                     log.skipped().counts(),
-                    course.stops().size(),
+                    drive.stops().size(),
                     0,
                     null,
                     null,
@@ -120,24 +120,24 @@ record MapResult(
     /// @param wheels the step that is farthest off what the wheels say
     /// @param scans the step that is farthest off what scans say
     /// @param all the step that is farthest off all that wheels and scans say
-    /// @param tooMuch whether that is so far that the map is probably wrong
+    /// @param tooLarge whether that is so far that the map is probably wrong
     /// @param steps of the way
     /// @param blind of them, told by wheels alone
-    record Strained(
+    record Residuals(
             @Nullable Bent wheels,
             @Nullable Bent scans,
             @Nullable Bent all,
-            boolean tooMuch,
+            boolean tooLarge,
             int steps,
             int blind) {
-        static Strained of(GraphResidual strain) {
-            return new Strained(
-                    Bent.of(strain.wheels()),
-                    Bent.of(strain.scans()),
-                    Bent.of(strain.all()),
-                    strain.tooMuch().isPresent(),
-                    strain.steps(),
-                    strain.blind());
+        static Residuals of(GraphResidual residual) {
+            return new Residuals(
+                    Bent.of(residual.wheels()),
+                    Bent.of(residual.scans()),
+                    Bent.of(residual.all()),
+                    residual.tooLarge().isPresent(),
+                    residual.steps(),
+                    residual.blind());
         }
     }
 
@@ -146,8 +146,8 @@ record MapResult(
     /// @param share of the beams of the scans from one to another, where it is most
     /// @param from number of the first of these, of those that were kept
     /// @param to number of the last
-    /// @param tooMuch whether that is so much that the map is probably wrong there
-    record ThroughWalls(double share, int from, int to, boolean tooMuch) {
+    /// @param tooLarge whether that is so much that the map is probably wrong there
+    record ThroughWalls(double share, int from, int to, boolean tooLarge) {
         static @Nullable ThroughWalls of(Optional<FreeSpaceViolation> most) {
             return most.map(c -> new ThroughWalls(c.share(), c.from(), c.to(), c.isTooMuch()))
                     .orElse(null);
@@ -162,7 +162,7 @@ record MapResult(
     /// @param degrees heading of its frame in that of the first
     /// @param squareMeters of floor that both saw
     /// @param against share of the cells hit by either, within that floor, that the other saw as free
-    /// @param tooMuch whether that is so much that they are joined only as that was asked for
+    /// @param tooLarge whether that is so much that they are joined only as that was asked for
     /// @param worst where most of that is; null when there is none
     /// @param throughWalls share of the beams of either that go through what the other hit
     record Merged(
@@ -172,7 +172,7 @@ record MapResult(
             double degrees,
             double squareMeters,
             double against,
-            boolean tooMuch,
+            boolean tooLarge,
             @Nullable Clash worst,
             double throughWalls) {
         static Merged of(String log, Pose2d at, MapOverlap shared, @Nullable Clash worst) {

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import rsal.cli.terminal.Mistake;
+import rsal.cli.terminal.FileError;
 import rsal.model.RobotModels;
 import rsal.model.urdf.UrdfModel;
 import rsal.settings.FileSource;
@@ -19,7 +19,7 @@ public final class ModelConversion implements Conversion {
     static final String URDF = ".urdf";
 
     /// @param files that were written, the model's first
-    record Model(String file, List<String> files, List<Mistake> notes) {}
+    record Model(String file, List<String> files, List<FileError> notes) {}
 
     @Override
     public String description() {
@@ -46,7 +46,7 @@ public final class ModelConversion implements Conversion {
         var lines = new ArrayList<>(files.names());
         lines.add("%nIn a scenario: robots: {NAME: {model: %s}}.".formatted(name + ".yaml"));
         return new Result(
-                new Model(request.file(), files.names(), Mistake.of(made.notes())),
+                new Model(request.file(), files.names(), FileError.of(made.notes())),
                 lines,
                 made.notes().stream().map(String::valueOf).toList());
     }

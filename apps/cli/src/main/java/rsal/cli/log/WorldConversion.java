@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import rsal.cli.terminal.Mistake;
+import rsal.cli.terminal.FileError;
 import rsal.scenario.Scenario;
 import rsal.scenario.text.Counted;
 import rsal.scene.Scene;
@@ -21,10 +21,14 @@ public final class WorldConversion implements Conversion {
     private static final List<String> WORLDS = List.of(".world", ".sdf");
 
     /// @param files that were written, the world's first
-    record Converted(String file, List<String> files, int things, int robots, List<Mistake> warnings) {
+    record Converted(String file, List<String> files, int things, int robots, List<FileError> warnings) {
         static Converted of(String file, ConvertedFiles written, Scene scene) {
             return new Converted(
-                    file, written.names(), scene.things().size(), scene.robots().size(), Mistake.of(scene.warnings()));
+                    file,
+                    written.names(),
+                    scene.things().size(),
+                    scene.robots().size(),
+                    FileError.of(scene.warnings()));
         }
     }
 

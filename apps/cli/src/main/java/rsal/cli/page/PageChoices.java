@@ -96,7 +96,7 @@ public final class PageChoices {
         return Destination.path(sweeps);
     }
 
-    /// @param line for mistakes in options
+    /// @param line for errors in options
     public PageRuns.Endpoints endpoints(CommandLine line) {
         return new PageRuns.Endpoints(port, network.listening(line), frames);
     }

@@ -48,7 +48,7 @@ public final class ServeCommand extends Subcommand {
 
     @Override
     protected int run() throws Exception {
-        own.forEach(Scenario::load); // mistakes are told now
+        own.forEach(Scenario::load); // errors are told now
         PageRuns.Endpoints endpoints = page.endpoints(spec.commandLine());
         Onlookers onlookers = page.onlookers(force, false, typed(), err());
         var first = PageRuns.First.of(waiting(), own, PageRuns.Stay.FOR_A_CHOICE, page.sweeps());

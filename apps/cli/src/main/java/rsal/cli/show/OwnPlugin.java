@@ -17,12 +17,12 @@ final class OwnPlugin {
 
     /// @param path of a file
     /// @return empty when its class is none of those
-    /// @throws InvalidSettings with the mistakes in it
+    /// @throws InvalidSettings with the errors in it
     static Optional<InstalledKind> of(String path) {
         return language(path).flatMap(language -> new File(language, path).read());
     }
 
-    /// Whether a file has such a class. Makes nothing of it, and reports no mistakes.
+    /// Whether a file has such a class. Makes nothing of it, and reports no errors.
     static boolean is(String path) {
         try {
             return language(path)

@@ -24,7 +24,7 @@ public record ScenarioReference(String nameOrFile, Optional<String> configuratio
         return new ScenarioReference(typed.substring(0, colon), Optional.of(typed.substring(colon + 1)));
     }
 
-    /// @throws rsal.settings.InvalidSettings with all of its mistakes, or when it is something else
+    /// @throws rsal.settings.InvalidSettings with all of its errors, or when it is something else
     public Scenario load() {
         FileKind.requireScenario(nameOrFile);
         return Scenario.load(nameOrFile);

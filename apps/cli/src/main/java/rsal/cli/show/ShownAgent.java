@@ -40,7 +40,7 @@ public record ShownAgent(
 
     /// @param path of a file
     /// @return empty when its name is that of none
-    /// @throws InvalidSettings with the mistakes in it, or when it can't be read
+    /// @throws InvalidSettings with the errors in it, or when it can't be read
     static Optional<ShownAgent> of(String path) {
         return language(path).map(language -> of(path, language));
     }

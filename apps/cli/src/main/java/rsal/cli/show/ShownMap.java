@@ -2,7 +2,7 @@ package rsal.cli.show;
 
 import java.util.List;
 import java.util.Locale;
-import rsal.cli.terminal.Mistake;
+import rsal.cli.terminal.FileError;
 import rsal.data.OccupancyGrid;
 import rsal.map.Maps;
 import rsal.settings.FileSource;
@@ -25,7 +25,7 @@ public record ShownMap(
         double free,
         double occupied,
         double unknown,
-        List<Mistake> warnings) {
+        List<FileError> warnings) {
     public static Maps.Found find(String name) {
         return new Maps(FileSource.disk()).find(name, Location.of(name));
     }
@@ -42,7 +42,7 @@ public record ShownMap(
                 share(grid, OccupancyGrid.FREE),
                 share(grid, OccupancyGrid.OCCUPIED),
                 share(grid, OccupancyGrid.UNKNOWN),
-                Mistake.of(found.warnings()));
+                FileError.of(found.warnings()));
     }
 
     private static double share(OccupancyGrid grid, byte kind) {

@@ -3,7 +3,7 @@ package rsal.cli.show;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import rsal.cli.terminal.Mistake;
+import rsal.cli.terminal.FileError;
 import rsal.cli.terminal.TextTable;
 import rsal.navigation.rooms.MapRegion;
 import rsal.navigation.rooms.RegionKind;
@@ -23,10 +23,10 @@ record ShownRooms(
         List<RoomGate> gates,
         Optional<ShownPlaces> places,
         String image,
-        List<Mistake> warnings) {
+        List<FileError> warnings) {
     static ShownRooms of(
             String map, RoomMap rooms, Optional<ShownPlaces> places, String image, List<Problem> warnings) {
-        return new ShownRooms(map, rooms.regions(), rooms.gates(), places, image, Mistake.of(warnings));
+        return new ShownRooms(map, rooms.regions(), rooms.gates(), places, image, FileError.of(warnings));
     }
 
     private long count(RegionKind kind) {

@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
-import rsal.cli.terminal.Mistake;
+import rsal.cli.terminal.FileError;
 import rsal.cli.terminal.TextTable;
 import rsal.data.OccupancyGrid;
 import rsal.robot.RobotModel;
@@ -39,7 +39,7 @@ record ShownWorld(
         int things,
         List<Make> robots,
         List<Served> services,
-        List<Mistake> warnings,
+        List<FileError> warnings,
         String image) {
 
     record Plan(int columns, int rows, double cell) {}
@@ -84,7 +84,7 @@ record ShownWorld(
                 scene.things().size(),
                 makes(scene),
                 scene.services().stream().map(Served::of).toList(),
-                Mistake.of(scene.warnings()),
+                FileError.of(scene.warnings()),
                 image);
     }
 

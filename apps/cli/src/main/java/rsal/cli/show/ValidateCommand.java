@@ -9,8 +9,8 @@ import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileError;
 import rsal.cli.terminal.FileName;
-import rsal.cli.terminal.Mistake;
 import rsal.cli.terminal.Subcommand;
 import rsal.map.Maps;
 import rsal.scenario.RunOptions;
@@ -38,16 +38,16 @@ public final class ValidateCommand extends Subcommand {
 
     /// Problems are flat, for those who read JSON line by line.
     ///
-    /// @param problems mistakes, or warnings when it is valid all the same
-    /// @param besides what of a file with mistakes is only warned of
-    record Checked(String file, boolean valid, List<Mistake> problems, List<Mistake> besides) {
+    /// @param problems errors, or warnings when it is valid all the same
+    /// @param besides what of a file with errors is only warned of
+    record Checked(String file, boolean valid, List<FileError> problems, List<FileError> besides) {
         /// @param warnings what is only warned of
         static Checked right(String file, List<Problem> warnings) {
-            return new Checked(file, true, Mistake.of(warnings), List.of());
+            return new Checked(file, true, FileError.of(warnings), List.of());
         }
 
         static Checked wrong(String file, InvalidSettings why) {
-            return new Checked(file, false, Mistake.of(why.problems()), Mistake.of(why.warnings()));
+            return new Checked(file, false, FileError.of(why.problems()), FileError.of(why.warnings()));
         }
     }
 
@@ -69,9 +69,9 @@ public final class ValidateCommand extends Subcommand {
                     : Scenario.isWorld(file) ? checkWorld(file) : checkScenario(file);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
-        } catch (InvalidSettings mistakes) {
-            print(String.valueOf(mistakes.getMessage()));
-            return Checked.wrong(file, mistakes);
+        } catch (InvalidSettings errors) {
+            print(String.valueOf(errors.getMessage()));
+            return Checked.wrong(file, errors);
         }
     }
 
@@ -94,7 +94,7 @@ public final class ValidateCommand extends Subcommand {
             print("%s: valid, %d configuration%s".formatted(file, configurations, configurations == 1 ? "" : "s"));
         }
         var notes = List.copyOf(found);
-        notes.forEach(note -> print(Mistake.note(note)));
+        notes.forEach(note -> print(FileError.note(note)));
         return Checked.right(file, notes);
     }
 
@@ -115,11 +115,11 @@ public final class ValidateCommand extends Subcommand {
             case LOG, BAG, IMAGE, WORLD -> throw kind.refusal(file);
         }
         print("%s: valid, %s".formatted(file, what));
-        warnings.forEach(warning -> print(Mistake.note(warning)));
+        warnings.forEach(warning -> print(FileError.note(warning)));
         return Checked.right(file, warnings);
     }
 
-    /// Warnings are no mistakes, but nobody should miss them.
+    /// Warnings are no errors, but nobody should miss them.
     private Checked checkWorld(String file) {
         Scene scene = Scenario.scene(file);
         if (!scene.robots().isEmpty()) {

@@ -22,9 +22,9 @@ import rsal.cli.show.ScenarioReference;
 import rsal.cli.terminal.ClosedAtExit;
 import rsal.cli.terminal.Destination;
 import rsal.cli.terminal.Exit;
+import rsal.cli.terminal.FileError;
 import rsal.cli.terminal.FileName;
 import rsal.cli.terminal.Logging;
-import rsal.cli.terminal.Mistake;
 import rsal.cli.terminal.Subcommand;
 import rsal.cli.terminal.Unreachable;
 import rsal.experiment.Design;
@@ -211,19 +211,19 @@ public final class SweepCommand extends Subcommand {
         return new Design(compared, factors(loaded), fixed(), seeds(), Optional.ofNullable(limit));
     }
 
-    /// @throws InvalidSettings with the mistakes of all of them
+    /// @throws InvalidSettings with the errors of all of them
     private List<Factor> factors(Scenario loaded) {
         var factors = new ArrayList<Factor>();
-        var mistakes = new ArrayList<Problem>();
+        var errors = new ArrayList<Problem>();
         for (RunChoices.Setting each : varied) {
             try {
                 factors.add(Factor.read(each.name(), each.value(), loaded.arguments()));
             } catch (InvalidSettings e) {
-                mistakes.addAll(e.problems());
+                errors.addAll(e.problems());
             }
         }
-        if (!mistakes.isEmpty()) {
-            throw new InvalidSettings(mistakes);
+        if (!errors.isEmpty()) {
+            throw new InvalidSettings(errors);
         }
         return factors;
     }
@@ -240,7 +240,7 @@ public final class SweepCommand extends Subcommand {
     }
 
     private void printNotes(Sweep sweep) {
-        sweep.notes().forEach(note -> err().println(Mistake.note(note)));
+        sweep.notes().forEach(note -> err().println(FileError.note(note)));
     }
 
     /// What `--seeds` says.

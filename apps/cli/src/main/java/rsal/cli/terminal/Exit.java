@@ -4,7 +4,7 @@ package rsal.cli.terminal;
 public final class Exit {
     public static final int SUCCESS = 0;
 
-    /// A mistake of the program.
+    /// An error of the program.
     public static final int INTERNAL = 1;
 
     /// The command line cannot be understood.

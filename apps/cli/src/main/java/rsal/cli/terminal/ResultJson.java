@@ -17,7 +17,7 @@ import rsal.scenario.RunPlan;
 ///         known
 /// @param topics how many messages were said and heard about each, and lost by whichever cause
 /// @param communication empty where the scenario does not limit it
-/// @param failed what went wrong with agents that ended by a mistake of their own, by name
+/// @param failed what went wrong with agents that ended by an error of their own, by name
 /// @param unhandledGoals goals for which agents had no plan at all, by name of the agent
 /// @param arguments all of the scenario, by name
 /// @param with the scenario that joined it; null when none did

@@ -50,7 +50,7 @@ public abstract class Subcommand implements Callable<Integer> {
     /// Tells what of a run may not be meant.
     protected final void printNotes(RunPlan plan) {
         plan.scene().warnings().forEach(warning -> err().println(warning));
-        plan.notes().forEach(note -> err().println(Mistake.note(note)));
+        plan.notes().forEach(note -> err().println(FileError.note(note)));
     }
 
     /// The command as it was typed.

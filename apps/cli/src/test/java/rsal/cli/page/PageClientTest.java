@@ -71,7 +71,7 @@ class PageClientTest {
     }
 
     @Test
-    void thatARunIsBusyIsNoMistakeInTheCommand() throws IOException {
+    void thatARunIsBusyIsNoErrorInTheCommand() throws IOException {
         try (var page = new Answering(503, "{\"message\": \"The run did not answer in time.\"}")) {
             assertThatThrownBy(() -> page.client().get("/api/robots"))
                     .isInstanceOf(Unreachable.class)

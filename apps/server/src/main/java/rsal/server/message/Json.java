@@ -16,7 +16,7 @@ import tools.jackson.core.type.TypeReference;
 import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.json.JsonMapper;
 
-/// JSON in and out. Reading is strict: what was not asked for is a mistake, and so is what is missing.
+/// JSON in and out. Reading is strict: what was not asked for is an error, and so is what is missing.
 public final class Json {
     private static final int MAX_DEPTH = 10;
     private static final JsonMapper MAPPER = JsonMapper.builder(JsonFactory.builder()

@@ -288,7 +288,7 @@ public final class Messages {
     /// @param metrics by name (`captureTime`; `distance.prey-1` of those per robot); `null` where there was
     ///         none
     /// @param outOfBounds names of the metrics that are worse than the scenario allows
-    /// @param failed what went wrong with agents that ended by a mistake of their own, by name
+    /// @param failed what went wrong with agents that ended by an error of their own, by name
     /// @param unhandledGoals goals for which agents had no plan at all, by name of the agent
     /// @param failure why it broke; else empty
     public record Ending(
@@ -590,7 +590,7 @@ public final class Messages {
     /// What a scenario says, to be edited.
     ///
     /// @param scenario as [ScenarioInfo] has it; empty for that of the present run when it can't be chosen
-    /// @param file what mistakes call it
+    /// @param file what errors call it
     /// @param saved what its file holds now, when that is one which [TextToSave] may replace
     public record ScenarioText(String scenario, String file, String text, Optional<String> saved) {}
 
@@ -600,14 +600,14 @@ public final class Messages {
     public record TextToCheck(Optional<String> scenario, String text) {}
 
     /// @param configurations of the text; none when it can't be read so far
-    /// @param mistakes of all configurations, the first of many
-    public record TextCheck(List<ConfigurationInfo> configurations, List<TextMistake> mistakes) {}
+    /// @param errors of all configurations, the first of many
+    public record TextCheck(List<ConfigurationInfo> configurations, List<TextError> errors) {}
 
     /// @param file of [ScenarioText], or another that this names
     /// @param line from 1; 0 for the whole file
     /// @param column from 1
     /// @param remedy what to try; empty when nobody can tell
-    public record TextMistake(String file, int line, int column, String message, String remedy) {}
+    public record TextError(String file, int line, int column, String message, String remedy) {}
 
     /// Asks for a scenario's file to be written again.
     ///
@@ -951,9 +951,9 @@ public final class Messages {
     public record AgentTypeInfo(String type, String description, boolean needsRobot, List<ArgumentInfo> arguments) {}
 
     /// Why something was not done.
-    public record Refused(String message, List<Mistake> problems) {}
+    public record Refused(String message, List<FieldError> problems) {}
 
     /// @param where what of a [Restart] or [SweepWish] is wrong (`seed`, `arguments.hunters`), or file and place
     /// @param remedy what to try; empty when nobody can tell
-    public record Mistake(String where, String message, String remedy) {}
+    public record FieldError(String where, String message, String remedy) {}
 }

@@ -4,25 +4,25 @@ import java.util.List;
 import java.util.function.Supplier;
 import rsal.settings.InvalidSettings;
 
-/// A request is turned down: with a status, a sentence, and for settings all their mistakes.
+/// A request is turned down: with a status, a sentence, and for settings all their errors.
 public final class Refusal extends RuntimeException {
     private static final long serialVersionUID = 1;
     private static final int LONGEST = 300; // characters of what a request is answered with
 
     private final int status;
     private final String sentence;
-    private final transient List<Messages.Mistake> problems;
+    private final transient List<Messages.FieldError> problems;
 
     public Refusal(int status, String message) {
         this(status, message, List.of());
     }
 
-    /// With the first of the mistakes alone, where there is no form to show all of them in.
-    public Refusal(int status, InvalidSettings mistaken) {
-        this(status, mistaken.problems().getFirst().message());
+    /// With the first of the errors alone, where there is no form to show all of them in.
+    public Refusal(int status, InvalidSettings invalid) {
+        this(status, invalid.problems().getFirst().message());
     }
 
-    public Refusal(int status, String message, List<Messages.Mistake> problems) {
+    public Refusal(int status, String message, List<Messages.FieldError> problems) {
         super(message, null, false, false); // expected, so without the cost of a stack trace
         this.status = status;
         this.sentence = message;
@@ -50,7 +50,7 @@ public final class Refusal extends RuntimeException {
         return sentence;
     }
 
-    public List<Messages.Mistake> problems() {
+    public List<Messages.FieldError> problems() {
         return problems;
     }
 

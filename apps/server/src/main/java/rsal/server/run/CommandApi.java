@@ -95,9 +95,9 @@ public final class CommandApi {
         Arguments arguments;
         try {
             arguments = arguments(request, command);
-        } catch (Refusal mistaken) {
+        } catch (Refusal invalid) {
             checkControl(request); // which others must know first
-            throw mistaken;
+            throw invalid;
         }
         if (!command.isSafe().test(arguments)) {
             checkControl(request);

@@ -13,7 +13,7 @@ import rsal.server.http.Http;
 import rsal.server.http.HttpRoutes;
 import rsal.server.message.Messages.ConfigurationInfo;
 import rsal.server.message.Messages.TextCheck;
-import rsal.server.message.Messages.TextMistake;
+import rsal.server.message.Messages.TextError;
 import rsal.server.message.Messages.TextToCheck;
 import rsal.server.message.Messages.TextToSave;
 import rsal.server.message.Refusal;
@@ -79,16 +79,16 @@ public final class TextApi {
             scenario.check();
             return new TextCheck(configurations, List.of());
         } catch (InvalidSettings e) {
-            List<TextMistake> mistakes = e.problems().stream()
+            List<TextError> errors = e.problems().stream()
                     .limit(MOST_MISTAKES)
-                    .map(TextApi::mistake)
+                    .map(TextApi::error)
                     .toList();
-            return new TextCheck(configurations, mistakes);
+            return new TextCheck(configurations, errors);
         }
     }
 
-    private static TextMistake mistake(Problem problem) {
+    private static TextError error(Problem problem) {
         var at = problem.location();
-        return new TextMistake(at.file(), at.line(), at.column(), problem.message(), problem.remedy());
+        return new TextError(at.file(), at.line(), at.column(), problem.message(), problem.remedy());
     }
 }

@@ -7,19 +7,19 @@ import rsal.engine.SpeedFactor;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 import rsal.scenario.Scenario;
-import rsal.server.message.Messages.Mistake;
+import rsal.server.message.Messages.FieldError;
 import rsal.server.message.Messages.Restart;
 import rsal.server.message.Refusal;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
-/// Plans another run, of the same scenario or another one, as somebody wishes. Goes on after a mistake, so that all are
+/// Plans another run, of the same scenario or another one, as somebody wishes. Goes on after an error, so that all are
 /// reported together, each with the field that it was typed into.
 public final class RestartReader {
     private final ScenarioCatalog catalog;
     private final RunPlan present;
     private final double speed;
-    private final List<Mistake> mistakes = new ArrayList<>();
+    private final List<FieldError> errors = new ArrayList<>();
 
     /// @param catalog where other scenarios are
     /// @param present the plan that what is left out is taken from, when its scenario stays
@@ -30,7 +30,7 @@ public final class RestartReader {
         this.speed = speed;
     }
 
-    /// @throws Refusal with every mistake
+    /// @throws Refusal with every error
     public RunPlan read(Restart wish) {
         RunOptions options = wish.scenario().isPresent() ? RunOptions.NONE : asNow();
         options = wish.configuration().map(options::withConfiguration).orElse(options);
@@ -40,15 +40,15 @@ public final class RestartReader {
         options = onHost(options, wish.mas());
         try {
             RunPlan plan = scenario(wish).plan(options);
-            if (mistakes.isEmpty()) {
+            if (errors.isEmpty()) {
                 return plan;
             }
         } catch (InvalidSettings e) {
             for (Problem problem : e.problems()) {
-                mistakes.add(mistake(problem, options));
+                errors.add(error(problem, options));
             }
         }
-        throw new Refusal(422, "This can't be run as it is.", List.copyOf(mistakes));
+        throw new Refusal(422, "This can't be run as it is.", List.copyOf(errors));
     }
 
     private Scenario scenario(Restart wish) {
@@ -85,7 +85,7 @@ public final class RestartReader {
         try {
             return Optional.of(Long.parseLong(typed.strip()));
         } catch (NumberFormatException _) {
-            mistakes.add(new Mistake(
+            errors.add(new FieldError(
                     "seed", "'seed' must be a whole number, not '%s'.".formatted(Refusal.shortened(typed)), "Try 42."));
             return Optional.empty();
         }
@@ -95,17 +95,17 @@ public final class RestartReader {
         try {
             return Optional.of(SpeedFactor.parse(typed));
         } catch (IllegalArgumentException e) {
-            mistakes.add(new Mistake("speed", String.valueOf(e.getMessage()), ""));
+            errors.add(new FieldError("speed", String.valueOf(e.getMessage()), ""));
             return Optional.empty();
         }
     }
 
-    private static Mistake mistake(Problem problem, RunOptions options) {
+    private static FieldError error(Problem problem, RunOptions options) {
         String where = options.arguments().keySet().stream()
                 .filter(name -> options.locationOf(name).equals(problem.location()))
                 .findFirst()
                 .map(name -> "arguments." + name)
                 .orElse(problem.location().toString());
-        return new Mistake(where, problem.message(), problem.remedy());
+        return new FieldError(where, problem.message(), problem.remedy());
     }
 }

@@ -55,7 +55,7 @@ public final class ScenarioCatalog {
     }
 
     /// @throws Refusal when it is not there
-    /// @throws InvalidSettings with its mistakes
+    /// @throws InvalidSettings with its errors
     public Scenario load(String id) {
         return Scenario.load(known(id));
     }
@@ -74,7 +74,7 @@ public final class ScenarioCatalog {
     ///
     /// @param id left out: the present one
     /// @throws Refusal when it is not there
-    /// @throws InvalidSettings with its mistakes
+    /// @throws InvalidSettings with its errors
     public Scenario edited(Optional<String> id, String text, Scenario present) {
         if (id.isEmpty()) {
             return present.edited(text);
@@ -82,7 +82,7 @@ public final class ScenarioCatalog {
         return Scenario.edited(known(id.get()), text);
     }
 
-    /// What a scenario says now, with all its mistakes.
+    /// What a scenario says now, with all its errors.
     ///
     /// @throws Refusal when it is not there, or has none
     public ScenarioText text(String id) {

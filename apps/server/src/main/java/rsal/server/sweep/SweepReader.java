@@ -14,7 +14,7 @@ import rsal.experiment.Factor;
 import rsal.experiment.SeedRange;
 import rsal.experiment.Sweep;
 import rsal.scenario.Scenario;
-import rsal.server.message.Messages.Mistake;
+import rsal.server.message.Messages.FieldError;
 import rsal.server.message.Messages.SweepSize;
 import rsal.server.message.Messages.SweepWish;
 import rsal.server.message.Refusal;
@@ -22,7 +22,7 @@ import rsal.server.scenario.ScenarioCatalog;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
-/// Plans a sweep as somebody wishes. Goes on after a mistake, so that all are reported together, each with the
+/// Plans a sweep as somebody wishes. Goes on after an error, so that all are reported together, each with the
 /// field that it was typed into.
 public final class SweepReader {
     static final int MOST_RUNS = 10_000;
@@ -36,7 +36,7 @@ public final class SweepReader {
 
     private final SweepWish wish;
     private final Scenario scenario;
-    private final List<Mistake> mistakes = new ArrayList<>();
+    private final List<FieldError> errors = new ArrayList<>();
 
     /// @param catalog where scenarios are
     /// @throws Refusal when the scenario is not there, or can't be read
@@ -51,13 +51,13 @@ public final class SweepReader {
 
     /// How large it would be; nothing is planned yet.
     ///
-    /// @throws Refusal with every mistake that can be found without
+    /// @throws Refusal with every error that can be found without
     SweepSize size() {
         Design design = design();
         return new SweepSize(design.combinations().size(), design.seeds().size(), design.runs());
     }
 
-    /// @throws Refusal with every mistake
+    /// @throws Refusal with every error
     Sweep sweep() {
         Design design = design();
         try {
@@ -79,25 +79,25 @@ public final class SweepReader {
                     factors.add(factor);
                 }
             } catch (InvalidSettings e) {
-                e.problems().forEach(problem -> mistakes.add(mistake(problem)));
+                e.problems().forEach(problem -> errors.add(error(problem)));
             }
         }
         if (wish.configurations().isEmpty()) {
-            mistakes.add(new Mistake("configurations", "A sweep needs a configuration.", ""));
+            errors.add(new FieldError("configurations", "A sweep needs a configuration.", ""));
         }
         var design = new Design(wish.configurations(), factors, settings, seeds(), limit());
-        tooLarge(design).ifPresent(mistakes::add);
-        if (!mistakes.isEmpty()) {
-            throw refusal(mistakes);
+        tooLarge(design).ifPresent(errors::add);
+        if (!errors.isEmpty()) {
+            throw refusal(errors);
         }
         return design;
     }
 
     /// What is wrong with a sweep that the page can't show. Asked before anything as long as that is made.
-    static Optional<Mistake> tooLarge(Design design) {
+    static Optional<FieldError> tooLarge(Design design) {
         long combinations = design.runs() / Math.max(1, design.seeds().size());
         if (combinations > MOST_COMBINATIONS) {
-            return Optional.of(new Mistake(
+            return Optional.of(new FieldError(
                     "",
                     "These are %s combinations; the page takes at most %d."
                             .formatted(
@@ -106,7 +106,7 @@ public final class SweepReader {
                     "Vary less, or say 'rsal sweep' in a terminal."));
         }
         if (design.runs() > MOST_RUNS) {
-            return Optional.of(new Mistake(
+            return Optional.of(new FieldError(
                     "",
                     "These are %d runs; the page takes at most %d.".formatted(design.runs(), MOST_RUNS),
                     "Take fewer seeds, or say 'rsal sweep' in a terminal."));
@@ -114,13 +114,13 @@ public final class SweepReader {
         return Optional.empty();
     }
 
-    /// One when it is wrong, for the other mistakes to be found.
+    /// One when it is wrong, for the other errors to be found.
     private List<Long> seeds() {
         String typed = wish.seeds().strip();
         try {
             return SeedRange.parse(typed).seeds();
         } catch (IllegalArgumentException _) {
-            mistakes.add(new Mistake(
+            errors.add(new FieldError(
                     "seeds",
                     "'seeds' must be how many, at least 1, or a range that goes up, not '%s'."
                             .formatted(Refusal.shortened(typed)),
@@ -143,7 +143,7 @@ public final class SweepReader {
         if (seconds > 0 && seconds <= LONGEST) {
             return Optional.of(Duration.ofNanos(Math.round(seconds * 1e9)));
         }
-        mistakes.add(new Mistake(
+        errors.add(new FieldError(
                 "limit",
                 "'limit' must be a number of seconds above 0, not '%s'.".formatted(Refusal.shortened(typed)),
                 "Try 60."));
@@ -151,11 +151,11 @@ public final class SweepReader {
     }
 
     private static Refusal refusal(InvalidSettings e) {
-        return refusal(e.problems().stream().map(SweepReader::mistake).toList());
+        return refusal(e.problems().stream().map(SweepReader::error).toList());
     }
 
-    private static Refusal refusal(List<Mistake> mistakes) {
-        return new Refusal(422, "This can't be swept as it is.", List.copyOf(mistakes));
+    private static Refusal refusal(List<FieldError> errors) {
+        return new Refusal(422, "This can't be swept as it is.", List.copyOf(errors));
     }
 
     /// Without the sentences that say which option of a command would help: the form has fields.
@@ -166,11 +166,11 @@ public final class SweepReader {
                 .collect(Collectors.joining(" "));
     }
 
-    private static Mistake mistake(Problem problem) {
+    private static FieldError error(Problem problem) {
         Matcher argument = ARGUMENT.matcher(problem.location().toString());
         String where = argument.matches()
                 ? "arguments." + argument.group(1)
                 : problem.location().toString();
-        return new Mistake(where, problem.message(), inForm(problem.remedy()));
+        return new FieldError(where, problem.message(), inForm(problem.remedy()));
     }
 }

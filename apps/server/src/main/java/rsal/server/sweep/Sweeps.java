@@ -20,7 +20,7 @@ import rsal.experiment.Sweep;
 import rsal.experiment.SweepFolder;
 import rsal.scenario.RunPlan;
 import rsal.server.http.FewAtOnce;
-import rsal.server.message.Messages.Mistake;
+import rsal.server.message.Messages.FieldError;
 import rsal.server.message.Messages.SweepRunAgain;
 import rsal.server.message.Messages.SweepRuns;
 import rsal.server.message.Messages.SweepSize;
@@ -124,8 +124,8 @@ public final class Sweeps implements AutoCloseable {
                 throw new Refusal(409, "Its runs are recorded, as none that begin here are. Go on in a terminal.");
             }
             Design design = manifest.subject().design();
-            SweepReader.tooLarge(design).ifPresent(mistake -> {
-                throw new Refusal(409, mistake.message());
+            SweepReader.tooLarge(design).ifPresent(error -> {
+                throw new Refusal(409, error.message());
             });
             String scenario = catalog.idOf(last.scenario());
             Sweep sweep = Sweep.of(catalog.load(scenario), design);
@@ -261,7 +261,7 @@ public final class Sweeps implements AutoCloseable {
             throw new Refusal(
                     422,
                     "This can't be swept as it is.",
-                    List.of(new Mistake(
+                    List.of(new FieldError(
                             "jobs",
                             "'jobs' must be from 1 to %d, not '%d'.".formatted(cores, jobs),
                             "One core is left to the run that is shown.")));

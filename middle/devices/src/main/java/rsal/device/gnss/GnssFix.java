@@ -1,6 +1,6 @@
 package rsal.device.gnss;
 
-import rsal.data.Erring;
+import rsal.data.Perturbable;
 import rsal.data.Point2d;
 import rsal.data.Unit;
 
@@ -18,7 +18,7 @@ public record GnssFix(
         @Unit("°") double latitude,
         @Unit("°") double longitude,
         @Unit("m") double deviation)
-        implements Erring<GnssFix> {
+        implements Perturbable<GnssFix> {
     private static final double SEMI_MAJOR_AXIS = 6_378_137; // m; of the ellipsoid of WGS 84
     private static final double SQUARED_ECCENTRICITY = 6.694_379_990_14e-3;
 

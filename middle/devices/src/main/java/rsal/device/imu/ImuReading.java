@@ -1,7 +1,7 @@
 package rsal.device.imu;
 
 import rsal.data.Angles;
-import rsal.data.Erring;
+import rsal.data.Perturbable;
 import rsal.data.Unit;
 
 /// A measurement of an IMU in the plane (`sensor_msgs/Imu` of ROS). It does not contain gravity, because robots
@@ -17,7 +17,7 @@ public record ImuReading(
         @Unit("rad/s") double angularVelocity,
         @Unit("m/s²") double accelerationX,
         @Unit("m/s²") double accelerationY)
-        implements Erring<ImuReading> {
+        implements Perturbable<ImuReading> {
     /// Of the orientation only.
     @Override
     public ImuReading withError(double range, double left, double angle) {

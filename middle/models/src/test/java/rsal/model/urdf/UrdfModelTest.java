@@ -115,7 +115,7 @@ class UrdfModelTest {
                 .hasMessageContaining("cart.urdf");
     }
 
-    /// What is cut, doubled or changed anywhere gives a model, or a mistake that is told.
+    /// What is cut, doubled or changed anywhere gives a model, or an error that is told.
     @Test
     void nonsenseIsTold() {
         for (long seed = 0; seed < (Boolean.getBoolean("rsal.test.all") ? 2000 : 400); seed++) {

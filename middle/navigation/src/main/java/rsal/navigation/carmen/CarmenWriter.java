@@ -16,8 +16,8 @@ import rsal.navigation.log.LogEntry.Motion;
 import rsal.navigation.log.LogEntry.Parameter;
 import rsal.navigation.log.LogWriter;
 import rsal.navigation.log.RobotLog;
-import rsal.navigation.replay.Course;
-import rsal.navigation.replay.Course.Stop;
+import rsal.navigation.replay.RecordedDrive;
+import rsal.navigation.replay.RecordedDrive.Stop;
 
 /// Writes CARMEN's logs: `ODOM`, and scans as `ROBOTLASER1`, which has their angles and where the laser is. A scan's
 /// poses are odometry; one that somebody has corrected takes their place, as in public logs that are called corrected.
@@ -40,7 +40,7 @@ final class CarmenWriter implements LogWriter {
 
     @Override
     public Written write(RobotLog log, Path target, boolean force) throws IOException {
-        Course course = Course.of(log);
+        RecordedDrive drive = RecordedDrive.of(log);
         OpenOption how = force ? StandardOpenOption.CREATE : StandardOpenOption.CREATE_NEW;
         try (Writer out = Files.newBufferedWriter(
                 target, StandardCharsets.UTF_8, how, StandardOpenOption.WRITE, StandardOpenOption.TRUNCATE_EXISTING)) {
@@ -48,9 +48,9 @@ final class CarmenWriter implements LogWriter {
             for (Parameter parameter : log.parameters()) {
                 out.write("PARAM %s %s\n".formatted(parameter.name(), parameter.value()));
             }
-            write(log.motions(), course.stops(), out);
+            write(log.motions(), drive.stops(), out);
         }
-        return new Written(course.stops().size(), log.motions().size(), course.omitted());
+        return new Written(drive.stops().size(), log.motions().size(), drive.omitted());
     }
 
     /// By time; odometry first.

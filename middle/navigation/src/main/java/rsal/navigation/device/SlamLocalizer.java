@@ -37,7 +37,7 @@ import rsal.time.Scheduler;
 /// loop closes, estimates jump. How sure an estimate is, is told against what was mapped around it
 /// ([Tracking]): it errs more the farther the wheels led it since a scan matched, and is lost when they don't
 /// match for long. When a loop has bent the map by more than anything that was told of the way errs
-/// ([GraphResidual#tooMuch]), one of the two is probably wrong: then estimates are ambiguous at best, less sure
+/// ([GraphResidual#tooLarge]), one of the two is probably wrong: then estimates are ambiguous at best, less sure
 /// the more it is bent, and a word in the log says where.
 ///
 /// Its map's frame is that of the pose it was told to start from, else one of its own, `<robot>/map`, in which
@@ -75,7 +75,7 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
             Pose2d mapFromBase,
             Tracking tracking,
             @Nullable List<PosedScan> map,
-            @Nullable GraphResidual strain) {}
+            @Nullable GraphResidual residual) {}
 
     /// Where the robot was when a scan was taken, and how sure that is.
     private record Known(Instant taken, Pose2d mapFromBase, Pose2d odomFromBase, Tracking tracking) {
@@ -223,8 +223,8 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
                 if (found.map() != null) {
                     map = found.map();
                 }
-                if (found.strain() != null) {
-                    learn(found.strain());
+                if (found.residual() != null) {
+                    learn(found.residual());
                 }
             }
         });
@@ -240,13 +240,13 @@ final class SlamLocalizer extends SensorCore<PoseEstimate> implements Localizer 
                     mapFromBase,
                     slam.tracking(),
                     slam.frameCount() > frames ? slam.posedScans() : null,
-                    slam.fits() > fits ? slam.strain() : null); // what is just added is not bent
+                    slam.fits() > fits ? slam.graphResidual() : null); // what is just added is not bent
         };
     }
 
-    private void learn(GraphResidual strain) {
+    private void learn(GraphResidual residual) {
         boolean news = bent.isEmpty();
-        bent = strain.tooMuch();
+        bent = residual.tooLarge();
         bent.filter(_ -> news).ifPresent(step -> {
             Pose2d place = map.get(step.to()).mapFromBase();
             LOG.log(

@@ -2,7 +2,7 @@ package rsal.navigation.replay;
 
 import java.time.Duration;
 import rsal.data.Angles;
-import rsal.navigation.replay.Course.Stop;
+import rsal.navigation.replay.RecordedDrive.Stop;
 
 /// A step of a log's odometry that no robot makes: its counters were reset, overflowed, or somebody set the odometry.
 ///

@@ -19,7 +19,7 @@ public final class Replay {
     ///
     /// @param nanos how long that took; of scans that were not due only what it took to see that
     /// @param due whether the robot had moved enough for the filter to look
-    public record Step(Course.Stop stop, PoseEstimate estimate, int particles, long nanos, boolean due) {
+    public record Step(RecordedDrive.Stop stop, PoseEstimate estimate, int particles, long nanos, boolean due) {
         /// How far the estimate is from where the robot was, if that is known [m].
         public Optional<Double> error() {
             return stop.mapFromBase().map(estimate.mapFromBase()::distanceTo);
@@ -41,12 +41,12 @@ public final class Replay {
 
     /// @param amcl started already, anywhere or from a pose
     /// @param nanos a clock to time updates with [ns]
-    public static List<Step> run(Course course, Amcl amcl, Look look, LongSupplier nanos) {
+    public static List<Step> run(RecordedDrive drive, Amcl amcl, Look look, LongSupplier nanos) {
         var steps = new ArrayList<Step>();
         PoseEstimate estimate = null;
         Pose2d odomFromBase = Pose2d.ORIGIN;
         int particles = 0;
-        for (Course.Stop stop : course.stops()) {
+        for (RecordedDrive.Stop stop : drive.stops()) {
             long before = nanos.getAsLong();
             Supplier<Beams> beams = () -> Beams.of(stop.scan(), look.beams(), look.maxRange());
             boolean due = estimate == null || amcl.due(stop.odomFromBase(), beams);

@@ -44,7 +44,7 @@ public record GraphResidual(Optional<Step> wheels, Optional<Step> scans, Optiona
     }
 
     /// The step that is too far off all that was told of it, if there is one.
-    public Optional<Step> tooMuch() {
+    public Optional<Step> tooLarge() {
         return all.filter(step -> step.deviations() > TOO_MUCH);
     }
 

@@ -330,7 +330,7 @@ public final class Slam {
         all.addAll(closing);
         List<Pose2d> fitted = PoseGraph.fitFromAfar(poses, all).poses();
         fits++;
-        if (strained(all, fitted) <= strained(relations, poses) // those that are right bend no others
+        if (largeResiduals(all, fitted) <= largeResiduals(relations, poses) // those that are right bend no others
                 && !bendsMore(all, fitted)) {
             relations.addAll(closing);
             poses = new ArrayList<>(fitted);
@@ -387,7 +387,7 @@ public final class Slam {
     }
 
     /// How many relations hardly fit, besides what the wheels say.
-    private static long strained(List<Relation> relations, List<Pose2d> poses) {
+    private static long largeResiduals(List<Relation> relations, List<Pose2d> poses) {
         return relations.stream()
                 .filter(r -> r.source() != Relation.Source.ODOMETRY && isStrained(r, poses))
                 .count();
@@ -531,7 +531,7 @@ public final class Slam {
     }
 
     /// How much the last fit bends what was told of the way from each scan that was kept to the next.
-    public GraphResidual strain() {
+    public GraphResidual graphResidual() {
         return GraphResidual.of(relations, poses);
     }
 

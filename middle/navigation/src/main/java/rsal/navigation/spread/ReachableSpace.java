@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.TreeSet;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
-import rsal.navigation.spread.Misplaced.Reason;
+import rsal.navigation.spread.UnsuitablePlace.Reason;
 import rsal.navigation.wavefront.NavigationFunction;
 import rsal.navigation.wavefront.Wavefront;
 
@@ -91,7 +91,7 @@ public final class ReachableSpace {
     /// @param within how near to it is near enough, for each place [m]
     /// @return in their order; empty when all will do
     /// @throws IllegalArgumentException as for the [#largest]
-    public static List<Misplaced> check(
+    public static List<UnsuitablePlace> check(
             OccupancyGrid map, double clearance, List<Point2d> starts, List<Point2d> places, List<Double> within) {
         var parts = new ConnectedComponents(map, clearance);
         orNowhere(parts, parts.largest());
@@ -103,7 +103,7 @@ public final class ReachableSpace {
         if (reached.isEmpty()) {
             reached.add(mostOf(parts, places));
         }
-        var wrong = new ArrayList<Misplaced>();
+        var wrong = new ArrayList<UnsuitablePlace>();
         var ground = new ReachableSpace(parts, reached.getFirst());
         for (int i = 0; i < places.size(); i++) {
             Point2d place = places.get(i);
@@ -199,8 +199,8 @@ public final class ReachableSpace {
     /// get to each.
     ///
     /// @return in their order; empty when all will do
-    public List<Misplaced> check(List<Point2d> places) {
-        var wrong = new ArrayList<Misplaced>();
+    public List<UnsuitablePlace> check(List<Point2d> places) {
+        var wrong = new ArrayList<UnsuitablePlace>();
         for (int i = 0; i < places.size(); i++) {
             if (!contains(places.get(i))) {
                 wrong.add(misplaced(i, places.get(i), reason(places.get(i))));
@@ -209,8 +209,8 @@ public final class ReachableSpace {
         return List.copyOf(wrong);
     }
 
-    private Misplaced misplaced(int index, Point2d place, Reason reason) {
-        return new Misplaced(index, place, reason, why(place, reason));
+    private UnsuitablePlace misplaced(int index, Point2d place, Reason reason) {
+        return new UnsuitablePlace(index, place, reason, why(place, reason));
     }
 
     private Reason reason(Point2d place) {

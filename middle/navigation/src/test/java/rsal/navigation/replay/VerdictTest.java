@@ -87,7 +87,7 @@ class VerdictTest {
         var scan = new LaserScan(Pose2d.ORIGIN, 0, 0, 0, 1, new float[] {1});
         return Arrays.stream(errors)
                 .mapToObj(error -> new Replay.Step(
-                        new Course.Stop(1, Instant.EPOCH, scan, Pose2d.ORIGIN, Optional.of(Pose2d.ORIGIN)),
+                        new RecordedDrive.Stop(1, Instant.EPOCH, scan, Pose2d.ORIGIN, Optional.of(Pose2d.ORIGIN)),
                         new PoseEstimate(
                                 new Pose2d(error, 0, 0),
                                 Covariance2d.ofDeviations(0.1, 0.1, 0.1),

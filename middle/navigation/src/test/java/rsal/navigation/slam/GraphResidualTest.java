@@ -15,7 +15,7 @@ class GraphResidualTest {
 
     private final List<Relation> relations = new ArrayList<>();
 
-    private GraphResidual strain() {
+    private GraphResidual residual() {
         return GraphResidual.of(relations, List.of(Pose2d.ORIGIN, new Pose2d(1, 0, 0), new Pose2d(2, 0, 0)));
     }
 
@@ -31,16 +31,16 @@ class GraphResidualTest {
         reported(1, new Pose2d(3, 0, 0), 0.1, Source.ODOMETRY);
         reported(1, new Pose2d(1.02, 0, 0), 0.02, Source.SCANS);
 
-        assertThat(strain().wheels()).hasValueSatisfying(step -> {
+        assertThat(residual().wheels()).hasValueSatisfying(step -> {
             assertThat(step.from()).isEqualTo(1);
             assertThat(step.to()).isEqualTo(2);
             assertThat(step.meters()).isEqualTo(2, within(1e-9));
             assertThat(step.deviations()).isEqualTo(20, within(1e-9));
         });
-        assertThat(strain().scans())
+        assertThat(residual().scans())
                 .hasValueSatisfying(step -> assertThat(step.deviations()).isEqualTo(1, within(1e-9)));
-        assertThat(strain().tooMuch()).isEmpty();
-        assertThat(strain().blind()).isZero();
+        assertThat(residual().tooLarge()).isEmpty();
+        assertThat(residual().blind()).isZero();
     }
 
     @Test
@@ -50,22 +50,22 @@ class GraphResidualTest {
         relations.add(
                 new Relation(0, 2, new Pose2d(2, 0, 0), Covariance2d.ofDeviations(0.01, 0.01, 0.01), Source.LOOP));
 
-        assertThat(strain().tooMuch())
+        assertThat(residual().tooLarge())
                 .hasValueSatisfying(step -> assertThat(step.deviations()).isEqualTo(7, within(1e-9)));
-        assertThat(strain().steps()).isEqualTo(2);
-        assertThat(strain().blind()).isEqualTo(2);
-        assertThat(strain().scans()).isEmpty();
+        assertThat(residual().steps()).isEqualTo(2);
+        assertThat(residual().blind()).isEqualTo(2);
+        assertThat(residual().scans()).isEmpty();
 
         reported(1, new Pose2d(1.3, 0, 0), 0.02, Source.SCANS); // off the map, too
-        assertThat(strain().tooMuch()).isPresent();
-        assertThat(strain().blind()).isEqualTo(1);
+        assertThat(residual().tooLarge()).isPresent();
+        assertThat(residual().blind()).isEqualTo(1);
     }
 
     @Test
     void aHeadingMayBeTooFarOffEitherWay() {
         reported(0, new Pose2d(1, 0, -0.4), 0.1, Source.ODOMETRY);
 
-        assertThat(strain().tooMuch()).hasValueSatisfying(step -> {
+        assertThat(residual().tooLarge()).hasValueSatisfying(step -> {
             assertThat(step.radians()).isEqualTo(0.4, within(1e-9));
             assertThat(step.deviations()).isEqualTo(8, within(1e-9));
         });
@@ -73,7 +73,7 @@ class GraphResidualTest {
 
     @Test
     void nothingIsStrainedWhereNothingWasTold() {
-        assertThat(strain().all()).isEmpty();
-        assertThat(strain().steps()).isZero();
+        assertThat(residual().all()).isEmpty();
+        assertThat(residual().steps()).isZero();
     }
 }

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.navigation.grid.RandomMaps;
-import rsal.navigation.spread.Misplaced.Reason;
+import rsal.navigation.spread.UnsuitablePlace.Reason;
 import rsal.testkit.DrawnMap;
 
 class ReachableSpaceTest {
@@ -93,10 +93,10 @@ class ReachableSpaceTest {
                 ROOMS.place('b'));
         var ground = ReachableSpace.holding(ROOMS.grid(), 0.6, given);
 
-        List<Misplaced> wrong = ground.check(given);
+        List<UnsuitablePlace> wrong = ground.check(given);
 
         assertThat(wrong)
-                .extracting(Misplaced::index, Misplaced::reason)
+                .extracting(UnsuitablePlace::index, UnsuitablePlace::reason)
                 .containsExactly(
                         tuple(1, Reason.CUT_OFF),
                         tuple(2, Reason.TOO_NEAR),
@@ -131,7 +131,7 @@ class ReachableSpaceTest {
         return ReachableSpace.check(
                         ROOMS.grid(), 0.6, List.of(starts), given, Collections.nCopies(given.size(), within))
                 .stream()
-                .map(Misplaced::index)
+                .map(UnsuitablePlace::index)
                 .toList();
     }
 

@@ -100,7 +100,7 @@ final class CrewReader {
             ownModels.put(name, own.section(name).mapping());
         }
         models = new RobotModels(files, ownParts);
-        own.names().forEach(name -> model(own.section(name).location(), name, Map.of())); // mistakes in unused ones
+        own.names().forEach(name -> model(own.section(name).location(), name, Map.of())); // errors in unused ones
         int number = 0;
         for (String name : robots.names()) {
             group(name, robots.section(name), number++);

@@ -11,7 +11,7 @@ import rsal.settings.Value;
 record FloorPlace(Pose2d pose, double height) {
     static final FloorPlace ORIGIN = new FloorPlace(Pose2d.ORIGIN, 0);
 
-    /// `[x, y, degrees]` or `[x, y, degrees, height]`; empty when a mistake was noted.
+    /// `[x, y, degrees]` or `[x, y, degrees, height]`; empty when an error was noted.
     static Optional<FloorPlace> read(Section section, String key, Value value) {
         boolean high = value instanceof Value.Sequence list && list.items().size() == 4;
         Optional<double[]> numbers = section.numbers(key, value, high ? 4 : 3);
@@ -56,7 +56,7 @@ record FloorPlace(Pose2d pose, double height) {
         return count > 0 && count < places.size() ? List.copyOf(places.subList(0, count)) : List.copyOf(places);
     }
 
-    /// An area, `[left, bottom, right, top]` [m]; empty when there is none, or a mistake was noted.
+    /// An area, `[left, bottom, right, top]` [m]; empty when there is none, or an error was noted.
     static Optional<double[]> area(Section section, String key) {
         Optional<double[]> area = section.numbers(key, 4);
         for (double side : area.orElse(new double[0])) {

@@ -56,7 +56,7 @@ final class YamlWorldReader {
         this.problems = problems;
     }
 
-    /// @throws InvalidSettings with its mistakes
+    /// @throws InvalidSettings with its errors
     Scene scene() {
         FormatVersion.check(root, "world", Keys.VERSION);
         String title = root.text("title", "");

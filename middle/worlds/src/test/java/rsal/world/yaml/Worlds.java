@@ -58,8 +58,8 @@ final class Worlds {
         return new YamlFormat().read(FILE, source(), seed);
     }
 
-    /// What is wrong with it, one entry for each mistake.
-    List<String> mistakes() {
+    /// What is wrong with it, one entry for each error.
+    List<String> errors() {
         try {
             read();
             return List.of();

@@ -117,7 +117,7 @@ class YamlFormatTest {
         assertThat(scene("").touch()).isEqualTo(Touch.STALL);
         assertThat(scene("onCollision: slide").touch()).isEqualTo(Touch.SLIDE);
         assertThat(SceneWriter.write(scene("onCollision: slide"), "a").yaml()).contains("onCollision: slide");
-        assertThat(Worlds.of("onCollision: slid").mistakes())
+        assertThat(Worlds.of("onCollision: slid").errors())
                 .singleElement()
                 .asString()
                 .contains("Maybe 'slide'");
@@ -501,7 +501,7 @@ class YamlFormatTest {
     void anImageOfTooManyPiecesCanNotBeTurned() {
         String rows = ("#.".repeat(200) + "\n" + ".#".repeat(200) + "\n").repeat(200);
         Worlds worlds = Worlds.of("walls: [{image: board.pgm, resolution: 0.1, origin: [0, 0, 30]}]");
-        assertThat(worlds.andImage("board.pgm", rows).mistakes())
+        assertThat(worlds.andImage("board.pgm", rows).errors())
                 .singleElement()
                 .asString()
                 .contains("The image has more than 50000 pieces");
@@ -521,11 +521,11 @@ class YamlFormatTest {
         String image = "{image: a.pgm, resolution: 1},";
         assertThat(Worlds.of("walls: [" + image.repeat(1000) + "]")
                         .andImage("a.pgm", PLAN)
-                        .mistakes())
+                        .errors())
                 .isEmpty();
         assertThat(Worlds.of("walls: [" + image.repeat(1001) + "]")
                         .andImage("a.pgm", PLAN)
-                        .mistakes())
+                        .errors())
                 .singleElement()
                 .asString()
                 .contains("more than 1000 images and maps");
@@ -577,7 +577,7 @@ class YamlFormatTest {
     }
 
     @Test
-    void mistakesDoNotHideWarnings() {
+    void errorsDoNotHideWarnings() {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> scene("""
                         robots: {r: {model: pioneer2dx, pose: [0, 0, 0], program: dance}}
@@ -647,7 +647,7 @@ class YamlFormatTest {
             things: {a: {body: {radius: 1, actuator: arm}}} | 2:32 | 'actuator' is not known
             things: {a: {pose: [900000, 0, 0], body: {radius: 1}}, b: {body: {radius: 1}}} | | at most 100000 m
             """)
-    void mistakesAreTold(String text, String where, String expected) {
+    void errorsAreTold(String text, String where, String expected) {
         Worlds worlds = Worlds.of(text.startsWith("rsal") ? "" : text + "\nwalls: [{line: [[-1, -9], [-1, 9]]}]")
                 .andImage("a.pgm", PLAN)
                 .and("what.png", "what");
@@ -656,8 +656,8 @@ class YamlFormatTest {
         } else if (text.startsWith("walls")) {
             worlds.and(Worlds.FILE, "rsal: 1\n" + text);
         }
-        assertThat(worlds.mistakes())
-                .anySatisfy(mistake -> assertThat(mistake)
+        assertThat(worlds.errors())
+                .anySatisfy(error -> assertThat(error)
                         .startsWith(Worlds.FILE + (where == null ? ":" : ":" + where + ":"))
                         .contains(expected));
     }
@@ -684,7 +684,7 @@ class YamlFormatTest {
         assertThat(scene.robots().getFirst().model().carriers()).isEqualTo(java.util.Map.of("eye", "arm"));
         assertThat(Worlds.of(world.replace("PART", "urg04lx")
                                 .replace("{actuator: arm, pose: [0.5, 0, 0]}", "[0, 0, 0]"))
-                        .mistakes())
+                        .errors())
                 .singleElement()
                 .asString()
                 .contains("A piece of its body stands on 'arm', which is no actuator.");
@@ -706,7 +706,7 @@ class YamlFormatTest {
                 "type: differential          | drive.odometryNoise' is missing: a group with 'distancePerMeter', 'headingPerMeter', "
                         + "'headingPerDegree'."
             })
-    void aMistakeInADriveIsToldOnce(String noise, String expected) {
+    void anErrorInADriveIsToldOnce(String noise, String expected) {
         assertThat(Worlds.of("""
                         robots: {r: {model: cart}, s: {model: cart, devices: {laser: urg04lx}}}
                         models:
@@ -714,18 +714,18 @@ class YamlFormatTest {
                             body: {radius: 0.1}
                             drive: {maxSpeed: 1, maxTurnRate: 90, maxAcceleration: 1, maxTurnAcceleration: 90, NOISE}
                             mounts: {laser: [0, 0, 0]}
-                        """.replace("NOISE", noise)).mistakes())
+                        """.replace("NOISE", noise)).errors())
                 .singleElement()
                 .asString()
                 .contains(expected);
     }
 
     @Test
-    void allMistakesAreToldTogether() {
+    void allErrorsAreToldTogether() {
         assertThat(Worlds.of("step: 7\nwalls: [{radius: 0}, {line: 3}]\nrobots: {r: {model: none}}")
-                        .mistakes())
+                        .errors())
                 .hasSizeBetween(4, 5);
-        assertThat(Worlds.of("walls: [" + "{radius: 0},".repeat(300) + "]").mistakes())
+        assertThat(Worlds.of("walls: [" + "{radius: 0},".repeat(300) + "]").errors())
                 .hasSize(50);
     }
 }

@@ -171,7 +171,7 @@ abstract class Offered implements ServedDevice {
             try {
                 obey(command);
             } catch (MalformedException | IllegalArgumentException e) {
-                // a client's mistake is nobody else's: as Player does, it is left out
+                // a client's error is nobody else's: as Player does, it is left out
             }
         }
     }

@@ -39,7 +39,7 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
     private final Motion lifting = new Motion();
     private @Nullable State reported;
     private Instant changed = Instant.EPOCH; // anything of it
-    private boolean news;
+    private boolean hasNewState;
 
     PlayerGripper(
             DeviceInfo info,
@@ -90,13 +90,13 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
 
     private void changed(Instant time) {
         changed = time.isAfter(changed) ? time : changed;
-        news = true;
+        hasNewState = true;
     }
 
     @Override
     public void delivered() {
-        if (news && reported != null) {
-            news = false;
+        if (hasNewState && reported != null) {
+            hasNewState = false;
             GripperState state = state();
             publish(changed, state);
             latest().ifPresent(reading -> {

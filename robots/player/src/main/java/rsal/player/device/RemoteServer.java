@@ -43,7 +43,7 @@ public final class RemoteServer implements AutoCloseable {
     private final ServerLink link;
     private volatile ServerClock clock = new ServerClock(); // of this connection: each server has a time of its own
     private final Map<Address, List<Member>> members = new ConcurrentHashMap<>(); // robots may share a device
-    private final Map<Key, News> news = new LinkedHashMap<>(); // guarded by itself
+    private final Map<Key, DeviceData> newest = new LinkedHashMap<>(); // guarded by itself
     private final CompletableFuture<ServerOffer> offer = new CompletableFuture<>();
     private final Listeners<Optional<String>> listeners =
             new Listeners<>(e -> LOG.log(System.Logger.Level.ERROR, "Somebody who minds a Player server failed.", e));
@@ -52,7 +52,7 @@ public final class RemoteServer implements AutoCloseable {
 
     private record Key(Member member, int subtype) {}
 
-    private record News(Member member, Instant time, Record body) {}
+    private record DeviceData(Member member, Instant time, Record body) {}
 
     /// A device with whether it gets data.
     private static final class Member {
@@ -273,13 +273,13 @@ public final class RemoteServer implements AutoCloseable {
     }
 
     private void deliver() {
-        List<News> all;
-        synchronized (news) {
-            all = List.copyOf(news.values());
-            news.clear();
+        List<DeviceData> all;
+        synchronized (newest) {
+            all = List.copyOf(newest.values());
+            newest.clear();
         }
         var touched = new LinkedHashSet<Remote>();
-        for (News one : all) {
+        for (DeviceData one : all) {
             if (one.member.ready) {
                 one.member.device.take(one.time, one.body);
                 touched.add(one.member.device);
@@ -325,10 +325,10 @@ public final class RemoteServer implements AutoCloseable {
             read(over, packet).ifPresent(body -> {
                 Instant taken = clock.taken(packet.header().time(), scheduler.instant());
                 boolean first;
-                synchronized (news) {
-                    first = news.isEmpty();
-                    wanting.forEach(member ->
-                            news.put(new Key(member, packet.header().subtype()), new News(member, taken, body)));
+                synchronized (newest) {
+                    first = newest.isEmpty();
+                    wanting.forEach(member -> newest.put(
+                            new Key(member, packet.header().subtype()), new DeviceData(member, taken, body)));
                 }
                 if (first) {
                     scheduler.execute(RemoteServer.this::deliver);

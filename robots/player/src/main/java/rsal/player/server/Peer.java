@@ -57,9 +57,9 @@ final class Peer {
     }
 
     /// New data that came about at the same time, for those that want some of it.
-    void data(List<News> news) {
+    void data(List<DeviceData> data) {
         synchronized (subscribed) {
-            out.data(news.stream()
+            out.data(data.stream()
                     .filter(each -> subscribed.contains(each.device()))
                     .map(each -> each.in(protocol))
                     .toList());

@@ -47,7 +47,7 @@ public final class Port implements AutoCloseable {
     private final Map<Address, ServedDevice> devices = new LinkedHashMap<>(); // by address without host and port
     private final Set<Peer> peers = ConcurrentHashMap.newKeySet();
     private final Map<ServedDevice, Peer> commanders = new ConcurrentHashMap<>(); // who commanded last
-    private final List<News> news = new ArrayList<>(); // not told yet; guarded by itself
+    private final List<DeviceData> unsent = new ArrayList<>(); // not sent yet; guarded by itself
 
     /// Listens at once, but takes no clients before it is [started][#start].
     ///
@@ -140,9 +140,9 @@ public final class Port implements AutoCloseable {
             return;
         }
         boolean first;
-        synchronized (news) {
-            first = news.isEmpty();
-            news.add(new News(device, address(device), subtype, at, body));
+        synchronized (unsent) {
+            first = unsent.isEmpty();
+            unsent.add(new DeviceData(device, address(device), subtype, at, body));
         }
         if (first) {
             afterwards.execute(this::publish);
@@ -150,10 +150,10 @@ public final class Port implements AutoCloseable {
     }
 
     private void publish() {
-        List<News> reported;
-        synchronized (news) {
-            reported = List.copyOf(news);
-            news.clear();
+        List<DeviceData> reported;
+        synchronized (unsent) {
+            reported = List.copyOf(unsent);
+            unsent.clear();
         }
         peers.forEach(peer -> peer.data(reported));
     }

@@ -17,8 +17,8 @@ import rsal.navigation.log.LogEntry.Scan;
 import rsal.navigation.log.LogFormats;
 import rsal.navigation.log.LogWriter;
 import rsal.navigation.log.RobotLog;
-import rsal.navigation.replay.Course;
-import rsal.navigation.replay.Course.Stop;
+import rsal.navigation.replay.RecordedDrive;
+import rsal.navigation.replay.RecordedDrive.Stop;
 
 /// From CARMEN to a bag and back.
 class BagLogWriterTest {
@@ -55,12 +55,12 @@ class BagLogWriterTest {
 
     private void compare(RobotLog other) {
         assertThat(other.skipped().total()).isZero();
-        Course expected = Course.of(log);
-        Course course = Course.of(other);
-        assertThat(course.stops()).hasSize(40);
+        RecordedDrive expected = RecordedDrive.of(log);
+        RecordedDrive drive = RecordedDrive.of(other);
+        assertThat(drive.stops()).hasSize(40);
         for (int i = 0; i < 40; i++) {
             Stop stop = expected.stops().get(i);
-            Stop read = course.stops().get(i);
+            Stop read = drive.stops().get(i);
             assertThat(read.time()).isEqualTo(stop.time());
             assertThat(read.odomFromBase().isNear(stop.odomFromBase(), EXACT, EXACT))
                     .as("%s, not %s", read.odomFromBase(), stop.odomFromBase())

@@ -45,7 +45,7 @@ final class Ros2Bridge implements Bridge {
     private final CommandClock commandClock;
     private final Task ticking;
     private final Task looking;
-    private final Rivals rivals = new Rivals();
+    private final OtherPublishers rivals = new OtherPublishers();
     private final Executor requests; // are answered there
     private final PublishedHealth health;
     private final Optional<TruthTracker> truth;

@@ -19,7 +19,7 @@ public record PlayerConfig(String path, double meters, double radians, List<Driv
 
     /// Reads a file and all that it includes, which is looked for beside it.
     ///
-    /// @param findings takes mistakes that leave something to read, and warnings
+    /// @param findings takes errors that leave something to read, and warnings
     /// @throws rsal.settings.InvalidSettings when there is no such file, or too much of anything
     public static PlayerConfig read(String path, WorldFiles files, WorldProblems findings) {
         WorldFile file = WorldFile.read(path, files, findings, Dialect.PLAYER);

@@ -46,8 +46,8 @@ final class Configs {
         return read().warnings().stream().map(Problem::toString).toList();
     }
 
-    /// What is wrong with it, one entry for each mistake.
-    List<String> mistakes() {
+    /// What is wrong with it, one entry for each error.
+    List<String> errors() {
         try {
             read();
             return List.of();

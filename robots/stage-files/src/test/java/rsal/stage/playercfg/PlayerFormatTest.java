@@ -526,7 +526,7 @@ class PlayerFormatTest {
     void aServerThatMeansNothingIsRefused(String server, String message) {
         Configs configs = Configs.of("include \"p.cfg\"\n" + server)
                 .and("etc/p.cfg", "driver ( name \"mapfile\" provides [\"map:0\"] )");
-        assertThat(configs.mistakes()).anySatisfy(mistake -> assertThat(mistake).contains(message));
+        assertThat(configs.errors()).anySatisfy(error -> assertThat(error).contains(message));
     }
 
     /// After a driver that simulates the world.
@@ -562,8 +562,8 @@ class PlayerFormatTest {
                 "include \"none.inc\" | 2:1 | There is no file 'etc/none.inc'",
                 "unit_length \"miles\" | 2:13 | 'unit_length' must be one of [m, cm, mm]"
             })
-    void mistakesAreToldWithTheirPlace(String text, String at, String message) {
-        assertThat(configs(STAGE + text).mistakes())
+    void errorsAreToldWithTheirPlace(String text, String at, String message) {
+        assertThat(configs(STAGE + text).errors())
                 .anySatisfy(m ->
                         assertThat(m).startsWith("etc/test.cfg:" + at + ":").contains(message));
     }
@@ -579,16 +579,16 @@ class PlayerFormatTest {
                 "driver ( name \"stage\" provides [\"simulation:0\"] worldfile 3 ) | 1:49 | 'worldfile' names no file"
             })
     void withoutAWorldStageIsRefused(String text, String at, String message) {
-        assertThat(configs(text).mistakes())
+        assertThat(configs(text).errors())
                 .anySatisfy(m ->
                         assertThat(m).startsWith("etc/test.cfg:" + at + ":").contains(message));
     }
 
     @Test
-    void mistakesOfTheWorldAreToldAsSuch() {
+    void errorsOfTheWorldAreToldAsSuch() {
         assertThat(Configs.of(STAGE)
                         .and("worlds/uhh1.world", "model ( size [1 2] )")
-                        .mistakes())
+                        .errors())
                 .singleElement()
                 .asString()
                 .startsWith("worlds/uhh1.world:1:");

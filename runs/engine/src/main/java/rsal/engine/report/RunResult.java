@@ -18,7 +18,7 @@ import rsal.data.Pose2d;
 /// @param outOfBounds names of the metrics that are not within the bounds the scenario gives
 /// @param endPoses where robots were at the end, in the frame `map`, by name: in truth where it is known, else
 ///         as they believed; without those of which nobody knows
-/// @param failed agents that ended by a mistake of their own, each with what went wrong, by name
+/// @param failed agents that ended by an error of their own, each with what went wrong, by name
 /// @param unhandledGoals goals for which agents had no plan at all, by name of the agent; the first ten of each
 /// @param topics how much was said about each topic
 /// @param communication who heard what, by sender, listener and topic; empty where the scenario does not limit

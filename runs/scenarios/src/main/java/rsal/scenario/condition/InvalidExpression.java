@@ -7,7 +7,7 @@ public final class InvalidExpression extends RuntimeException {
     private final int position;
     private final String remedy;
 
-    /// @param position of the mistake in the text, from 0
+    /// @param position of the error in the text, from 0
     /// @param remedy what to try; may be empty
     InvalidExpression(int position, String message, String remedy) {
         super(message);

@@ -15,7 +15,7 @@ public final class Providers {
 
     /// @return providers by key, in the order of the keys
     /// @throws InvalidSettings when one can't be loaded or two have the same key: then somebody who adds one of
-    /// his own made a mistake
+    /// his own made an error
     public static <P> Map<String, P> byKey(Class<P> kind, Function<P, String> key) {
         var byKey = new TreeMap<String, P>();
         var list = Location.of("META-INF/services/" + kind.getName());

@@ -196,7 +196,7 @@ class GrammarTest {
                     metric(3) > 1            | 7  | the name of a metric must stand here, not '3'.
                     ${time}                  | 0  | '$' can't stand here.
                     """)
-    void pointsAtTheMistake(String text, int position, String message) {
+    void pointsAtTheError(String text, int position, String message) {
         assertThatThrownBy(() -> Grammar.condition(text, names()))
                 .isInstanceOfSatisfying(InvalidExpression.class, e -> {
                     assertThat(e).hasMessage(message);

@@ -90,7 +90,7 @@ public final class HostBench implements Bench {
                 assignment.reach(name, i, repeats);
                 var begun = new LongAdder();
                 var watch = new Stopwatch();
-                try (var platform = BenchedSociety.inRealTime(host)) {
+                try (var platform = BenchAgents.inRealTime(host)) {
                     start[i] = watch.wall();
                     platform.start(count, _ -> begun.increment());
                     platform.until(() -> begun.sum() == count);
@@ -107,7 +107,7 @@ public final class HostBench implements Bench {
         var cpu = new double[repeats];
         var rate = new double[repeats];
         var heard = new LongAdder();
-        try (var platform = BenchedSociety.inRealTime(host)) {
+        try (var platform = BenchAgents.inRealTime(host)) {
             publishPoses(platform, heard);
             platform.pass(WARM);
             for (int i = 0; i < repeats; i++) {
@@ -124,7 +124,7 @@ public final class HostBench implements Bench {
     }
 
     /// Starts a hundred that tell each other their poses ten times a second.
-    static void publishPoses(BenchedSociety platform, LongAdder heard) {
+    static void publishPoses(BenchAgents platform, LongAdder heard) {
         platform.start(TEAM, self -> {
             self.subscribe(POSES, _ -> heard.increment());
             self.scheduler().every(PERIOD, () -> self.publish(POSES, Pose2d.ORIGIN));
@@ -136,14 +136,14 @@ public final class HostBench implements Bench {
         /// Starts agents that do it.
         ///
         /// @param done counts how often it is done
-        void begin(BenchedSociety platform, LongAdder done);
+        void begin(BenchAgents platform, LongAdder done);
     }
 
     private static void most(AgentHostProvider host, String what, Work work, BenchmarkRequest assignment) {
         int repeats = assignment.repeats();
         var rate = new double[repeats];
         var done = new LongAdder();
-        try (var platform = BenchedSociety.of(host)) {
+        try (var platform = BenchAgents.of(host)) {
             work.begin(platform, done);
             platform.pass(WARM);
             for (int i = 0; i < repeats; i++) {
@@ -158,7 +158,7 @@ public final class HostBench implements Bench {
     }
 
     /// All speak, and again once all have heard all.
-    private static void deliveries(BenchedSociety platform, LongAdder done) {
+    private static void deliveries(BenchAgents platform, LongAdder done) {
         var agents = new ArrayList<AgentContext>();
         var left = new int[1]; // of this burst; written in turn
         platform.start(TEAM, self -> {
@@ -188,7 +188,7 @@ public final class HostBench implements Bench {
     }
 
     /// A manager calls, awards and calls again.
-    static void contracts(BenchedSociety platform, LongAdder done) {
+    static void contracts(BenchAgents platform, LongAdder done) {
         platform.start(BIDDERS, self -> net(self).answer(new Bidder()));
         platform.start(1, self -> {
             var calls = new Calls(

@@ -143,7 +143,7 @@ public final class OverheadBench implements Bench {
     /// Of a hundred that tell each other their poses: messages heard.
     private static PlatformLoad poses(AgentHostProvider host) {
         var heard = new LongAdder();
-        try (var agents = BenchedSociety.inRealTime(host)) {
+        try (var agents = BenchAgents.inRealTime(host)) {
             HostBench.publishPoses(agents, heard);
             return PlatformLoad.of(heard::sum, OverheadBench::pass);
         }
@@ -160,7 +160,7 @@ public final class OverheadBench implements Bench {
     /// Of a manager and bidders that do nothing else: contract nets ended.
     private static PlatformLoad nets(AgentHostProvider host) {
         var ended = new LongAdder();
-        try (var agents = BenchedSociety.of(host)) {
+        try (var agents = BenchAgents.of(host)) {
             HostBench.contracts(agents, ended);
             return PlatformLoad.of(ended::sum, agents::pass);
         }

@@ -32,7 +32,7 @@ import rsal.navigation.amcl.LocalizationMap;
 import rsal.navigation.amcl.OdometryModel;
 import rsal.navigation.amcl.SensorModel;
 import rsal.navigation.grid.ScanMapper;
-import rsal.navigation.replay.Course;
+import rsal.navigation.replay.RecordedDrive;
 import rsal.navigation.replay.Replay;
 import rsal.navigation.replay.Verdict;
 import rsal.settings.FileSource;
@@ -149,8 +149,8 @@ public final class LocalizationBench implements Bench {
         var overTime = new ArrayList<Point>();
         for (String log : PublicLogs.NAMES) {
             if (OF_LOGS.stream().anyMatch(what -> assignment.wants(name(log) + what))) {
-                PublicLogs.course(log, assignment).ifPresent(course -> {
-                    List<List<Replay.Step>> runs = onLog(name(log), course, assignment);
+                PublicLogs.drive(log, assignment).ifPresent(drive -> {
+                    List<List<Replay.Step>> runs = onLog(name(log), drive, assignment);
                     assignment.report(judge(name(log), runs));
                     overTime.addAll(errorsOverTime(log, runs));
                 });
@@ -442,15 +442,16 @@ public final class LocalizationBench implements Bench {
     }
 
     /// Steps of each run.
-    private static List<List<Replay.Step>> onLog(String name, Course course, BenchmarkRequest assignment) {
+    private static List<List<Replay.Step>> onLog(String name, RecordedDrive drive, BenchmarkRequest assignment) {
         var map = new LocalizationMap(
-                ScanMapper.draw(course.only(i -> i % 2 == 0).posed(), ScanMapper.Settings.of(0.05)), 0.1, 0.05);
-        Course rest = course.only(i -> i % 2 == 1);
+                ScanMapper.draw(drive.only(i -> i % 2 == 0).posed(), ScanMapper.Settings.of(0.05)), 0.1, 0.05);
+        RecordedDrive rest = drive.only(i -> i % 2 == 1);
         var runs = new ArrayList<List<Replay.Step>>();
         for (int seed = 1; seed <= SEEDS; seed++) {
             var random = new SplittableRandom(seed);
             int first = random.nextInt(rest.stops().size() - SCANS + 1);
-            Course driven = rest.only(i -> i >= first && i < first + SCANS).drifting(Drive.WHEELS, random);
+            RecordedDrive driven =
+                    rest.only(i -> i >= first && i < first + SCANS).drifting(Drive.WHEELS, random);
             var amcl = new Amcl(map, Settings.of(150, 5000), random);
             runs.add(Replay.run(driven, amcl, new Replay.Look(60, 30), () -> 0));
             assignment.reach(name + "runs", seed, SEEDS);

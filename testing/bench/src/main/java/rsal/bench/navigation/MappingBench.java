@@ -9,7 +9,7 @@ import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
 import rsal.bench.measurement.Stopwatch;
 import rsal.data.Pose2d;
-import rsal.navigation.replay.Course;
+import rsal.navigation.replay.RecordedDrive;
 import rsal.navigation.slam.RelationError;
 import rsal.navigation.slam.Slam;
 
@@ -39,19 +39,19 @@ public final class MappingBench implements Bench {
     public void measure(BenchmarkRequest assignment) {
         for (String log : PublicLogs.NAMES) {
             if (KINDS.stream().anyMatch(kind -> assignment.wants(name(log, kind)))) {
-                PublicLogs.course(log, assignment).ifPresent(course -> measure(log, course, assignment));
+                PublicLogs.drive(log, assignment).ifPresent(drive -> measure(log, drive, assignment));
             }
         }
     }
 
-    private static void measure(String name, Course course, BenchmarkRequest assignment) {
+    private static void measure(String name, RecordedDrive drive, BenchmarkRequest assignment) {
         var values = new double[KINDS.size()][assignment.repeats()];
         for (int repeat = 0; repeat < assignment.repeats(); repeat++) {
-            Course driven = course.drifting(Drive.WHEELS, new SplittableRandom(repeat + 1));
+            RecordedDrive driven = drive.drifting(Drive.WHEELS, new SplittableRandom(repeat + 1));
             var watch = new Stopwatch();
             var slam = new Slam(Slam.Settings.DEFAULT);
             var located = new ArrayList<Slam.Located>();
-            for (Course.Stop stop : driven.stops()) {
+            for (RecordedDrive.Stop stop : driven.stops()) {
                 located.add(slam.add(stop.odomFromBase(), stop.scan()));
                 assignment.reach(
                         "slam.%s, scans of repeat %d".formatted(PublicLogs.label(name), repeat + 1),
@@ -60,8 +60,8 @@ public final class MappingBench implements Bench {
             }
             slam.polish(2);
             double seconds = watch.thread();
-            List<Pose2d> right = course.stops().stream()
-                    .map(Course.Stop::mapFromBase)
+            List<Pose2d> right = drive.stops().stream()
+                    .map(RecordedDrive.Stop::mapFromBase)
                     .flatMap(Optional::stream)
                     .toList();
             List<Pose2d> judged = located.stream().map(slam::pose).toList();
@@ -71,8 +71,9 @@ public final class MappingBench implements Bench {
             RelationError near = RelationError.ofNear(right, judged, NEAR);
             values[2][repeat] = near.meters();
             values[3][repeat] = Math.toDegrees(near.radians());
-            List<Pose2d> reported =
-                    driven.stops().stream().map(Course.Stop::odomFromBase).toList();
+            List<Pose2d> reported = driven.stops().stream()
+                    .map(RecordedDrive.Stop::odomFromBase)
+                    .toList();
             RelationError wheels = RelationError.ofNext(right, reported);
             values[4][repeat] = wheels.meters();
             values[5][repeat] = Math.toDegrees(wheels.radians());

@@ -7,7 +7,7 @@ import java.util.Optional;
 import rsal.bench.measurement.BenchmarkRequest;
 import rsal.navigation.log.LaserHints;
 import rsal.navigation.log.LogFormats;
-import rsal.navigation.replay.Course;
+import rsal.navigation.replay.RecordedDrive;
 
 /// Recorded logs among the public data, with the poses that their authors found to be right.
 final class PublicLogs {
@@ -22,13 +22,13 @@ final class PublicLogs {
     }
 
     /// A log's course; empty when it is not among the data.
-    static Optional<Course> course(String log, BenchmarkRequest assignment) {
+    static Optional<RecordedDrive> drive(String log, BenchmarkRequest assignment) {
         return assignment.data("logs/%s-corrected.log.gz".formatted(log)).map(PublicLogs::read);
     }
 
-    private static Course read(Path file) {
+    private static RecordedDrive read(Path file) {
         try {
-            return Course.of(LogFormats.read(file, LaserHints.DEFAULT));
+            return RecordedDrive.of(LogFormats.read(file, LaserHints.DEFAULT));
         } catch (IOException e) {
             throw new IllegalStateException("The public data can't be read: " + e.getMessage(), e);
         }

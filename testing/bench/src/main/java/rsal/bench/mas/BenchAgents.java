@@ -22,14 +22,14 @@ import rsal.time.WallScheduler;
 
 /// Agents of one host, without robots.
 @AllowedToReadWallClock("Benchmarks measure real time.")
-final class BenchedSociety implements AutoCloseable {
+final class BenchAgents implements AutoCloseable {
     private static final Duration STEP = Duration.ofMillis(1);
 
     private final Scheduler time;
     private final AgentPlatform platform;
     private final List<String> names = new ArrayList<>();
 
-    private BenchedSociety(AgentHostProvider host, Scheduler time) {
+    private BenchAgents(AgentHostProvider host, Scheduler time) {
         this.time = time;
         var made = new AgentPlatform[1];
         act(() -> made[0] =
@@ -37,13 +37,13 @@ final class BenchedSociety implements AutoCloseable {
         this.platform = made[0];
     }
 
-    static BenchedSociety inRealTime(AgentHostProvider host) {
-        return new BenchedSociety(host, new WallScheduler("benched", Runnable::run));
+    static BenchAgents inRealTime(AgentHostProvider host) {
+        return new BenchAgents(host, new WallScheduler("benched", Runnable::run));
     }
 
     /// In simulated time where the host follows that.
-    static BenchedSociety of(AgentHostProvider host) {
-        return host.followsSchedulerTime() ? new BenchedSociety(host, new LockstepScheduler()) : inRealTime(host);
+    static BenchAgents of(AgentHostProvider host) {
+        return host.followsSchedulerTime() ? new BenchAgents(host, new LockstepScheduler()) : inRealTime(host);
     }
 
     /// Time to let pass before an agent does again what it did, as one that does too much at one instant is ended.

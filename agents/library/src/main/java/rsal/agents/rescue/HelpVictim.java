@@ -20,7 +20,7 @@ import rsal.time.Task;
 
 /// The skill to help a victim: to drive there, to see it within reach with the robot's own eyes, and to stay for a
 /// while. Where it was said to be counts until the robot sees it.
-final class Helping implements Skill<Help> {
+final class HelpVictim implements Skill<Help> {
     private static final Duration LOOK = Duration.ofMillis(500);
     private static final double SPEED = 0.4; // m/s, to tell what staying is worth
     private static final double MOVED = 0.3; // m
@@ -38,7 +38,7 @@ final class Helping implements Skill<Help> {
     private final Duration stay;
 
     /// @param reach how near to a victim's middle a robot's must be to help it [m]
-    Helping(Rescuer.Parts parts, double reach, Duration stay) {
+    HelpVictim(Rescuer.Parts parts, double reach, Duration stay) {
         this.self = parts.self();
         this.driver = parts.driver();
         this.scouting = parts.scouting();

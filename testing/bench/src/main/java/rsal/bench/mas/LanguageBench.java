@@ -35,7 +35,7 @@ import rsal.settings.Location;
 /// [HostBench], by that on the bare system; `mas.<host>.written.overhead.contracts` the same of a contract net. Both
 /// are medians of pairs of windows, one after the other. `deliveries` are those of agents that speak again as soon as
 /// they have heard all others.
-public final class WrittenBench implements Bench {
+public final class LanguageBench implements Bench {
     private static final String MANAGER = "manager";
 
     private final List<Pair> pairs = pairs();
@@ -48,11 +48,9 @@ public final class WrittenBench implements Bench {
 
         Side ours() {
             Map<Program, AgentType> types = types();
-            Function<BenchedSociety, Team> team = agents -> new Team(new WrittenSociety(agents, types), agents::pass);
+            Function<BenchAgents, Team> team = agents -> new Team(new LanguageAgents(agents, types), agents::pass);
             return new Side(
-                    "written",
-                    () -> team.apply(BenchedSociety.inRealTime(host)),
-                    () -> team.apply(BenchedSociety.of(host)));
+                    "written", () -> team.apply(BenchAgents.inRealTime(host)), () -> team.apply(BenchAgents.of(host)));
         }
 
         /// The programs as our host reads them.

@@ -17,7 +17,7 @@ import rsal.settings.Arguments;
 
 /// What a team is asked to fetch: each thing once, no matter who asks. Says every few seconds what is to be fetched, so
 /// that nobody asks for it again.
-final class Orders {
+final class FetchRequests {
     private static final String SERVICE = "fetch";
     /// How often it says what is to be fetched: two of these may get lost within [Detections#MEMORY].
     static final Duration REPEAT = Duration.ofSeconds(4);
@@ -28,7 +28,7 @@ final class Orders {
     private final Team team;
     private final Map<String, Asked<CollectGoal, String>> open = new LinkedHashMap<>(); // by job's name
 
-    Orders(AgentContext self, Arguments arguments) {
+    FetchRequests(AgentContext self, Arguments arguments) {
         this.self = self;
         Rules rules = Rules.DEFAULT.withObjective(Objective.LONGEST).allocated(arguments.get(FetchMaster.ALLOCATION));
         this.team = new Team(self, rules.withTries(TRIES), this::note);

@@ -13,13 +13,13 @@ import rsal.bare.BareLanguage.Program;
 /// Programs of a language on our host.
 ///
 /// @param types the programs, as the host has read them
-record WrittenSociety(BenchedSociety platform, Map<Program, AgentType> types) implements BareLanguage.Platform {
+record LanguageAgents(BenchAgents platform, Map<Program, AgentType> types) implements BareLanguage.Platform {
     @Override
     public void start(Map<String, Program> agents) {
         var specs = new ArrayList<AgentSpec>();
         agents.forEach((name, program) -> {
             AgentType type = Objects.requireNonNull(types.get(program));
-            specs.add(BenchedSociety.spec(name, specs.size(), type, arguments(type)));
+            specs.add(BenchAgents.spec(name, specs.size(), type, arguments(type)));
         });
         platform.start(specs);
     }
@@ -34,7 +34,7 @@ record WrittenSociety(BenchedSociety platform, Map<Program, AgentType> types) im
     public long count(String agent) {
         return platform.look(agent, Mind.View.class)
                 .flatMap(mind -> Optional.ofNullable(mind.beliefs().get(BareLanguage.COUNT)))
-                .map(WrittenSociety::number)
+                .map(LanguageAgents::number)
                 .orElse(0L); // it has not begun
     }
 

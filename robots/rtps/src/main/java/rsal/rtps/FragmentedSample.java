@@ -6,14 +6,14 @@ import rsal.rtps.wire.ParameterList;
 import rsal.rtps.wire.Submessage.DataFragments;
 
 /// A sample in fragments, some of which are there.
-final class Assembly {
+final class FragmentedSample {
     private final int fragmentSize; // B
     private final byte[] payload;
     private final BitSet there = new BitSet(); // of fragments, from 0 on
     private ParameterList inlineQos = ParameterList.EMPTY;
     private long grown; // when a fragment came last [ns]
 
-    Assembly(DataFragments part) {
+    FragmentedSample(DataFragments part) {
         fragmentSize = part.fragmentSize();
         payload = new byte[part.sampleSize()];
     }

@@ -1,8 +1,8 @@
 package rsal.agent.protocol;
 
 /// A conversation with one partner that ends once, for the one who began it.
-record Talk<A>(Dialogue dialogue, ProtocolOutcome<A> outcome) implements Conversation {
-    static <A> Talk<A> begin(
+record PartnerConversation<A>(Dialogue dialogue, ProtocolOutcome<A> outcome) implements Conversation {
+    static <A> PartnerConversation<A> begin(
             ConversationManager conversations,
             String to,
             RetryPolicy patience,
@@ -11,7 +11,7 @@ record Talk<A>(Dialogue dialogue, ProtocolOutcome<A> outcome) implements Convers
             Object content) {
         Dialogue dialogue = conversations.begin(conversations.newConversation(), to, patience, outcome);
         dialogue.say(opening, content);
-        return new Talk<>(dialogue, outcome);
+        return new PartnerConversation<>(dialogue, outcome);
     }
 
     @Override

@@ -11,7 +11,7 @@ import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
 /// What is told of worlds that can't be read, or not all of them.
-class WorldMistakesTest {
+class WorldErrorsTest {
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -70,8 +70,8 @@ class WorldMistakesTest {
                 "model ( block ( points 2 point[0] [0 0] point[1] [1] ) ) | 41 "
                         + "| 'point[1]' needs 2 numbers, [x y], but has 1."
             })
-    void mistakesAreToldWithTheirPlace(String text, int column, String message) {
-        assertThat(Worlds.of("\n" + text).mistakes())
+    void errorsAreToldWithTheirPlace(String text, int column, String message) {
+        assertThat(Worlds.of("\n" + text).errors())
                 .isNotEmpty()
                 .first()
                 .asString()
@@ -102,7 +102,7 @@ class WorldMistakesTest {
                 "model ( wifi ( ) )          | Nothing simulates radios; take it out if its robots can do without."
             })
     void whatWasMeantIsGuessed(String text, String remedy) {
-        assertThat(Worlds.of(text.replace("\\n", "\n")).mistakes().getFirst()).endsWith("\n    " + remedy);
+        assertThat(Worlds.of(text.replace("\\n", "\n")).errors().getFirst()).endsWith("\n    " + remedy);
     }
 
     @ParameterizedTest
@@ -136,7 +136,7 @@ class WorldMistakesTest {
                         + "'2000000000'. | ``"
             })
     void whatIsTooLargeIsToldWithItsRange(String text, String message, String remedy) {
-        assertThat(Worlds.of(text).mistakes())
+        assertThat(Worlds.of(text).errors())
                 .singleElement()
                 .asString()
                 .endsWith(": " + message + (remedy.isEmpty() ? "" : "\n    " + remedy));
@@ -177,7 +177,7 @@ class WorldMistakesTest {
                 "actuator ( axis [0 0 0] ) | Write [1 0 0] for forward, [0 0 1] for up."
             })
     void whatIsMissingIsProposed(String text, String remedy) {
-        assertThat(Worlds.of(text).mistakes()).singleElement().asString().endsWith("\n    " + remedy);
+        assertThat(Worlds.of(text).errors()).singleElement().asString().endsWith("\n    " + remedy);
     }
 
     @ParameterizedTest
@@ -229,15 +229,15 @@ class WorldMistakesTest {
                 "position ( velocity_bounds [0 1 0 0 0 0 90 -90] ) | 1:12: 'velocity_bounds' has its least value '90' above "
                         + "its greatest '-90'. | Maybe the two were mixed up."
             })
-    void oneMistakeIsToldOnceAndForWhatItIs(String text, String message, String remedy) {
-        assertThat(Worlds.of(text.replace("\\n", "\n")).mistakes())
+    void oneErrorIsToldOnceAndForWhatItIs(String text, String message, String remedy) {
+        assertThat(Worlds.of(text.replace("\\n", "\n")).errors())
                 .containsExactly("test.world:" + message + "\n    " + remedy);
     }
 
     @Test
     void bracesAndTheLikeAreTakenForWhatTheyMean() {
         assertThat(Worlds.of("position { size: [1, 2, 3]; color = 'red'; }\nmodel { mass: 1; }")
-                        .mistakes())
+                        .errors())
                 .extracting(problem -> problem.lines().findFirst().orElseThrow())
                 .containsExactly(
                         "test.world:1:10: '{' means nothing here.",
@@ -254,26 +254,26 @@ class WorldMistakesTest {
     }
 
     @Test
-    void mistakesAreToldInTheOrderOfLines() {
+    void errorsAreToldInTheOrderOfLines() {
         assertThat(Worlds.of("model ( mass \"a\" )\ninclude \"no.inc\"\nmodel ( mass --3 )")
-                        .mistakes())
+                        .errors())
                 .extracting(problem -> problem.substring(0, "test.world:1".length()))
                 .containsExactly("test.world:1", "test.world:2", "test.world:3");
     }
 
     @Test
-    void severalMistakesAreToldAtOnce() {
+    void severalErrorsAreToldAtOnce() {
         assertThat(Worlds.of("""
                         include "no.inc"
                         model ( mass --3 )
                         model ( pose [1 2] )
                         model ( bitmap "no.png" colour "red" )
-                        """).mistakes()).hasSize(4);
+                        """).errors()).hasSize(4);
     }
 
     @Test
     void whatAMissingFileMayDefineIsNotToldToBeMissing() {
-        assertThat(Worlds.of("include \"no.inc\"\ndefine b a ( )\na ( )\nb ( )").mistakes())
+        assertThat(Worlds.of("include \"no.inc\"\ndefine b a ( )\na ( )\nb ( )").errors())
                 .containsExactly("test.world:1:1: There is no file 'no.inc'.\n"
                         + "    Maybe it is in another folder: those in the environment's STAGEPATH are searched, too.");
     }
@@ -288,24 +288,24 @@ class WorldMistakesTest {
     @Test
     void whatIsNoTextIsToldAtOnceAndOnlyOnce() {
         assertThat(Worlds.of("model ( )\n\u0089PNG\u001a\n\u0000\u0000\u0001\u0002")
-                        .mistakes())
+                        .errors())
                 .containsExactly("test.world:3:1: 'test.world' is no text file: there is a byte 0 in it.\n"
                         + "    Maybe it is another file, or one to be saved as UTF-8.");
-        assertThat(Worlds.of("include \"a.inc\"").and("a.inc", "model\u0008").mistakes())
+        assertThat(Worlds.of("include \"a.inc\"").and("a.inc", "model\u0008").errors())
                 .hasSize(1)
                 .first()
                 .asString()
                 .startsWith("a.inc:1:6: 'a.inc' is no text file");
-        assertThat(Worlds.of("# made by hand\f\r\n\tmodel ( )\u001a").mistakes())
+        assertThat(Worlds.of("# made by hand\f\r\n\tmodel ( )\u001a").errors())
                 .as("blanks, and the end of a file of DOS")
                 .noneMatch(problem -> problem.contains("no text"));
     }
 
     @Test
-    void theFileThatMistakesAreInIsNamed() {
+    void theFileThatErrorsAreInIsNamed() {
         assertThat(Worlds.of("include \"a.inc\"")
                         .and("a.inc", "\nmodel ( mass \"x\" )")
-                        .mistakes())
+                        .errors())
                 .containsExactly("a.inc:2:9: 'mass' must be a number, not 'x'.\n"
                         + "    Numbers are written like 0.4; unit_length and unit_angle say in which units.");
     }
@@ -315,7 +315,7 @@ class WorldMistakesTest {
         assertThat(Worlds.of("include \"a.inc\"")
                         .and("a.inc", "include \"b.inc\"")
                         .and("b.inc", "include \"a.inc\"")
-                        .mistakes())
+                        .errors())
                 .containsExactly("b.inc:1:1: 'a.inc' includes itself: test.world → a.inc → b.inc → a.inc.\n"
                         + "    Take one of these includes out.");
     }
@@ -323,7 +323,7 @@ class WorldMistakesTest {
     @Test
     void aMacroThatHoldsItselfIsTold() {
         assertThat(Worlds.of("define a model ( b ( ) )\ndefine b model ( a ( ) )\na ( )")
-                        .mistakes())
+                        .errors())
                 .containsExactly("test.world:2:18: 'a' is part of its own definition at test.world:1:8.\n"
                         + "    Take it out there.");
     }
@@ -331,12 +331,12 @@ class WorldMistakesTest {
     @Test
     void aMacroThatBuildsUponItselfIsTold() {
         String remedy = "\n    Write define NAME BASE ( ... ), BASE being a type such as 'model' or 'position'.";
-        assertThat(Worlds.of("define a a()\na()").mistakes())
+        assertThat(Worlds.of("define a a()\na()").errors())
                 .containsExactly("test.world:1:10: 'a' builds upon itself." + remedy);
         assertThat(Worlds.of("define a b()\ndefine b c()\ndefine c a()\na() b() c()")
-                        .mistakes())
+                        .errors())
                 .containsExactly("test.world:1:10: 'a' builds upon itself: a → b → c → a." + remedy);
-        assertThat(Worlds.of("define a b()\ndefine b b()").mistakes())
+        assertThat(Worlds.of("define a b()\ndefine b b()").errors())
                 .containsExactly(
                         "test.world:1:10: 'b' is neither a type nor a macro that is defined above.\n"
                                 + "    It is defined at test.world:2:8; put that first.",
@@ -354,7 +354,7 @@ class WorldMistakesTest {
     void obsoleteTypesAreToldOnlyWhereTheyAreUsed() {
         var worlds = Worlds.of("define sick laser ( samples 180 )\ndefine disc puck ( )\nmodel ( )");
         assertThat(worlds.names()).containsExactly("model:0");
-        assertThat(Worlds.of("define sick laser ( )\nposition ( sick ( ) )").mistakes())
+        assertThat(Worlds.of("define sick laser ( )\nposition ( sick ( ) )").errors())
                 .containsExactly(
                         "test.world:2:12: 'sick' is made of 'laser', a type that later versions of Stage dropped.\n"
                                 + "    Write ranger ( sensor ( range [0 8] fov 180 samples 180 ) ), with the values that this"
@@ -444,7 +444,7 @@ class WorldMistakesTest {
     }
 
     @Test
-    void mistakesDoNotHideWarnings() {
+    void errorsDoNotHideWarnings() {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> Worlds.of("""
                                 model ( xyzzy 1 )
@@ -480,13 +480,13 @@ class WorldMistakesTest {
     }
 
     @Test
-    void endlessMistakesAreCutShort() {
-        assertThat(Worlds.of("model ( mass \"x\" )\n".repeat(1000)).mistakes()).hasSize(50);
+    void endlessErrorsAreCutShort() {
+        assertThat(Worlds.of("model ( mass \"x\" )\n".repeat(1000)).errors()).hasSize(50);
     }
 
     @Test
     void anImageThatCanNotBeReadIsToldWhereItIsNamed() {
-        assertThat(Worlds.of("model ( bitmap \"a.png\" )").and("a.png", "what").mistakes())
+        assertThat(Worlds.of("model ( bitmap \"a.png\" )").and("a.png", "what").errors())
                 .singleElement()
                 .asString()
                 .startsWith("test.world:1:9: Image 'a.png' can't be read: it is no image");

@@ -24,7 +24,7 @@ import rsal.navigation.log.RobotLog;
 ///
 /// @param stops one for each scan, in the order in which they were taken
 /// @param omitted scans left out since nothing tells where the wheels had brought the robot
-public record Course(List<Stop> stops, int omitted) {
+public record RecordedDrive(List<Stop> stops, int omitted) {
     private static final double SAME_PLACE = 0.05; // m
     private static final double LONGEST_AFTER = 1; // s; how old odometry may be when there is none behind a scan
     private static final double SAME_HEADING = 0.02; // rad
@@ -36,13 +36,13 @@ public record Course(List<Stop> stops, int omitted) {
     /// @param mapFromBase where the robot was, if that is known
     public record Stop(int line, Instant time, LaserScan scan, Pose2d odomFromBase, Optional<Pose2d> mapFromBase) {}
 
-    public Course {
+    public RecordedDrive {
         stops = List.copyOf(stops);
     }
 
     /// As a log tells it: where the robot was is what its author made of the odometry. Where a scan comes without
     /// odometry, that is taken from the messages before and after it; a second after the last one it is not known.
-    public static Course of(RobotLog log) {
+    public static RecordedDrive of(RobotLog log) {
         var stops = new ArrayList<Stop>();
         for (Scan scan : log.scans()) {
             switch (scan.poses()) {
@@ -54,7 +54,7 @@ public record Course(List<Stop> stops, int omitted) {
                                     new Stop(scan.line(), scan.time(), scan.scan(), odomFromBase, Optional.empty())));
             }
         }
-        return new Course(stops, log.scans().size() - stops.size());
+        return new RecordedDrive(stops, log.scans().size() - stops.size());
     }
 
     /// Between the last message before the scan and the first behind it, by time.
@@ -90,7 +90,7 @@ public record Course(List<Stop> stops, int omitted) {
     /// The same, but where the robot was is what another log says of the same scans, which are known by their
     /// readings. Scans of several places that have the same readings, as those that hit nothing, are of no known
     /// place.
-    public Course judgedBy(RobotLog reference) {
+    public RecordedDrive judgedBy(RobotLog reference) {
         Map<FloatBuffer, List<Pose2d>> reported = new HashMap<>();
         for (Scan scan : reference.scans()) {
             reported(scan.poses())
@@ -102,7 +102,7 @@ public record Course(List<Stop> stops, int omitted) {
             driven.computeIfAbsent(readings(stop.scan()), _ -> new ArrayList<>())
                     .add(stop.odomFromBase());
         }
-        return new Course(
+        return new RecordedDrive(
                 stops.stream()
                         .map(stop -> {
                             FloatBuffer readings = readings(stop.scan());
@@ -133,8 +133,8 @@ public record Course(List<Stop> stops, int omitted) {
     }
 
     /// The same without anything that tells where the robot was.
-    public Course unjudged() {
-        return new Course(
+    public RecordedDrive unjudged() {
+        return new RecordedDrive(
                 stops.stream()
                         .map(s -> new Stop(s.line(), s.time(), s.scan(), s.odomFromBase(), Optional.empty()))
                         .toList(),
@@ -142,7 +142,7 @@ public record Course(List<Stop> stops, int omitted) {
     }
 
     /// The same with wheels that err more: each way between two scans with noise of its own, which adds up.
-    public Course drifting(OdometryModel noise, RandomGenerator random) {
+    public RecordedDrive drifting(OdometryModel noise, RandomGenerator random) {
         var drifted = new ArrayList<Stop>();
         Pose2d pose = Pose2d.ORIGIN;
         for (int i = 0; i < stops.size(); i++) {
@@ -152,7 +152,7 @@ public record Course(List<Stop> stops, int omitted) {
                     : noise.sample(pose, stops.get(i - 1).odomFromBase(), stop.odomFromBase(), random);
             drifted.add(new Stop(stop.line(), stop.time(), stop.scan(), pose, stop.mapFromBase()));
         }
-        return new Course(drifted, omitted);
+        return new RecordedDrive(drifted, omitted);
     }
 
     /// Where its odometry leaps; empty when the log tells no times.
@@ -164,7 +164,7 @@ public record Course(List<Stop> stops, int omitted) {
     }
 
     /// The same without its [#leaps]: the wheels say then that the robot stood still for that step.
-    public Course withoutLeaps() {
+    public RecordedDrive withoutLeaps() {
         var mended = new ArrayList<Stop>();
         Pose2d mendedFromOdom = Pose2d.ORIGIN;
         for (int i = 0; i < stops.size(); i++) {
@@ -177,12 +177,12 @@ public record Course(List<Stop> stops, int omitted) {
             Pose2d pose = mendedFromOdom.compose(stop.odomFromBase());
             mended.add(new Stop(stop.line(), stop.time(), stop.scan(), pose, stop.mapFromBase()));
         }
-        return new Course(mended, omitted);
+        return new RecordedDrive(mended, omitted);
     }
 
     /// Some of the scans, by their numbers from 0.
-    public Course only(IntPredicate chosen) {
-        return new Course(
+    public RecordedDrive only(IntPredicate chosen) {
+        return new RecordedDrive(
                 IntStream.range(0, stops.size())
                         .filter(chosen)
                         .mapToObj(stops::get)

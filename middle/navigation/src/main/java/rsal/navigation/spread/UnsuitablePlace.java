@@ -6,7 +6,7 @@ import rsal.data.Point2d;
 ///
 /// @param index which of those given it is, from 0
 /// @param why in words, with the nearest place that will do
-public record Misplaced(int index, Point2d place, Reason reason, String why) {
+public record UnsuitablePlace(int index, Point2d place, Reason reason, String why) {
     public enum Reason {
         /// It is not on the map, or not a place at all.
         OUTSIDE,

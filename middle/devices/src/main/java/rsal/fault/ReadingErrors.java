@@ -7,19 +7,19 @@ import java.util.Optional;
 import java.util.random.RandomGenerator;
 import rsal.data.Blobs;
 import rsal.data.Blobs.Blob;
-import rsal.data.Erring;
 import rsal.data.Fiducials;
 import rsal.data.Fiducials.Fiducial;
 import rsal.data.LaserScan;
 import rsal.data.Odometry;
+import rsal.data.Perturbable;
 import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.RangeArray;
 import rsal.data.Rep117;
 
 /// Readings with errors in them. What was not measured at all (nothing there, too close, broken) stays as it is.
-final class Mistaken {
-    private Mistaken() {}
+final class ReadingErrors {
+    private ReadingErrors() {}
 
     /// How wrong the next thing is that is measured.
     interface Miss {
@@ -83,7 +83,7 @@ final class Mistaken {
                     case Odometry odometry ->
                         new Odometry(moved(odometry.odomFromBase(), miss), odometry.velocity(), odometry.stalled());
                     case PoseEstimate estimate -> estimate(estimate, miss);
-                    case Erring<?> other -> other.withError(miss.range(), miss.left(), miss.angle());
+                    case Perturbable<?> other -> other.withError(miss.range(), miss.left(), miss.angle());
                     default -> throw new IllegalArgumentException("Nothing is measured in '%s'.".formatted(value));
                 };
     }

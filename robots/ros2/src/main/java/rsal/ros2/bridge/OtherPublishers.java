@@ -10,8 +10,8 @@ import rsal.ros2.link.RosEndpoint;
 
 /// Warns once of each topic that another program of the domain publishes, too, such as a second bridge: then others get
 /// the messages of both, and their velocities drive robots of both.
-final class Rivals {
-    private static final Logger LOG = System.getLogger(Rivals.class.getName());
+final class OtherPublishers {
+    private static final Logger LOG = System.getLogger(OtherPublishers.class.getName());
 
     private final Set<String> known = new TreeSet<>();
 

@@ -8,13 +8,13 @@ import rsal.settings.Problem;
 /// @param line from 1; 0 for the whole file
 /// @param column from 1
 /// @param remedy what to try; empty when nobody can tell
-public record Mistake(String file, int line, int column, String message, String remedy) {
-    public static List<Mistake> of(List<Problem> problems) {
-        return problems.stream().map(Mistake::of).toList();
+public record FileError(String file, int line, int column, String message, String remedy) {
+    public static List<FileError> of(List<Problem> problems) {
+        return problems.stream().map(FileError::of).toList();
     }
 
-    private static Mistake of(Problem problem) {
-        return new Mistake(
+    private static FileError of(Problem problem) {
+        return new FileError(
                 problem.location().file(),
                 problem.location().line(),
                 problem.location().column(),

@@ -10,7 +10,7 @@ import java.util.Optional;
 
 /// The newest of everything that was recorded up to some time: messages as they are in the file, and what agents said
 /// last. For one thread.
-final class Held {
+final class NewestRecords {
     static final int LAST_WORDS = 5; // as many as people see of a live run
 
     /// A recording that says more at once is refused.
@@ -55,19 +55,19 @@ final class Held {
         }
     }
 
-    Held() {
+    NewestRecords() {
         messages = new LinkedHashMap<>();
         speeches = new LinkedHashMap<>();
     }
 
-    private Held(Held other) {
+    private NewestRecords(NewestRecords other) {
         messages = new LinkedHashMap<>(other.messages);
         speeches = new LinkedHashMap<>(other.speeches);
         bytes = other.bytes;
     }
 
-    Held copy() {
-        return new Held(this);
+    NewestRecords copy() {
+        return new NewestRecords(this);
     }
 
     /// @return whether there is room for it

@@ -7,8 +7,8 @@ import rsal.player.wire.Address;
 import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 
-/// New data of a device, which each client is told in the words of its version. Used by one thread at a time.
-final class News {
+/// New data of a device, which each client gets in the messages of its version. Used by one thread at a time.
+final class DeviceData {
     private final ServedDevice device;
     private final Address address;
     private final int subtype;
@@ -17,8 +17,8 @@ final class News {
     private final Map<Protocol, Packet> packets = new HashMap<>();
 
     /// @param time when it was measured, of the server's clock [s]
-    /// @param body in the words of the newest version
-    News(ServedDevice device, Address address, int subtype, double time, Record body) {
+    /// @param body as a message of the newest version
+    DeviceData(ServedDevice device, Address address, int subtype, double time, Record body) {
         this.device = device;
         this.address = address;
         this.subtype = subtype;

@@ -9,7 +9,7 @@ import rsal.ros2.link.Profile;
 import rsal.ros2.link.RosEndpoint;
 import rsal.ros2.link.RosTopic;
 
-class RivalsTest {
+class OtherPublishersTest {
     private static RosEndpoint endpoint(String topic, boolean isPublisher) {
         return new RosEndpoint(
                 new RosTopic(topic, "nav_msgs/msg/Odometry"), isPublisher, Profile.DEFAULT, Optional.empty());
@@ -17,7 +17,7 @@ class RivalsTest {
 
     @Test
     void tellsOnceOfWhatAnotherProgramPublishesToo() {
-        var rivals = new Rivals();
+        var rivals = new OtherPublishers();
         List<String> own = List.of("/r1/odom", "/r2/odom");
         assertThat(rivals.look(own, List.of(endpoint("/r1/odom", false), endpoint("/r3/odom", true))))
                 .isEmpty();

@@ -1,7 +1,7 @@
 package rsal.data;
 
 /// A reading to which errors can be added, as faults of sensors do.
-public interface Erring<T extends Erring<T>> {
+public interface Perturbable<T extends Perturbable<T>> {
     /// The same reading, wrong by so much.
     ///
     /// @param range away from what measures, of positions to the east or ahead [m]

@@ -16,7 +16,7 @@ import rsal.navigation.log.LaserHints;
 import rsal.navigation.log.LogFormats;
 import rsal.navigation.log.RobotLog;
 
-class CourseTest {
+class RecordedDriveTest {
     private static final String RAW = """
             RAWLASER1 0 -1 2 1 20 0.01 0 3 1 2 3 0 0.5 h 0
             ODOM 1 0 0 0 0 0 1 h 0
@@ -27,40 +27,40 @@ class CourseTest {
 
     @Test
     void aScanWithoutOdometryHasThatAroundIt() throws IOException {
-        Course course = Course.of(log(RAW));
+        RecordedDrive drive = RecordedDrive.of(log(RAW));
 
-        assertThat(course.omitted()).isEqualTo(1);
-        assertThat(course.stops()).hasSize(2);
-        Pose2d between = course.stops().getFirst().odomFromBase();
+        assertThat(drive.omitted()).isEqualTo(1);
+        assertThat(drive.stops()).hasSize(2);
+        Pose2d between = drive.stops().getFirst().odomFromBase();
         assertThat(between.x()).isCloseTo(1.25, within(1e-9));
         assertThat(between.theta()).isCloseTo(0.25, within(1e-9));
-        assertThat(course.stops().getLast().odomFromBase()).isEqualTo(new Pose2d(2, 0, 1));
-        assertThat(course.posed()).isEmpty();
+        assertThat(drive.stops().getLast().odomFromBase()).isEqualTo(new Pose2d(2, 0, 1));
+        assertThat(drive.posed()).isEmpty();
     }
 
     @Test
     void odometryThatEndsEarlyIsNotThatOfLaterScans() throws IOException {
-        Course course = Course.of(log(RAW + "RAWLASER1 0 -1 2 1 20 0.01 0 3 1 2 6 0 3.5 h 0\n"));
+        RecordedDrive drive = RecordedDrive.of(log(RAW + "RAWLASER1 0 -1 2 1 20 0.01 0 3 1 2 6 0 3.5 h 0\n"));
 
-        assertThat(course.stops()).hasSize(2);
-        assertThat(course.omitted()).isEqualTo(2);
+        assertThat(drive.stops()).hasSize(2);
+        assertThat(drive.omitted()).isEqualTo(2);
     }
 
     @Test
     void anotherLogOfTheSameScansTellsWhereTheyWereTaken() throws IOException {
-        Course course = Course.of(log("""
+        RecordedDrive drive = RecordedDrive.of(log("""
                 FLASER 3 1 2 3 0 0 0 5 5 0 1 h 1
                 FLASER 3 1 2 4 0 0 0 6 5 0 2 h 2
                 """)).judgedBy(log("FLASER 3 1 2 4 7 7 1 7 7 1 9 h 9\n"));
 
-        assertThat(course.stops().get(0).mapFromBase()).isEmpty();
-        assertThat(course.stops().get(1).mapFromBase()).isEqualTo(Optional.of(new Pose2d(7, 7, 1)));
-        assertThat(course.stops().get(1).odomFromBase()).isEqualTo(new Pose2d(6, 5, 0));
+        assertThat(drive.stops().get(0).mapFromBase()).isEmpty();
+        assertThat(drive.stops().get(1).mapFromBase()).isEqualTo(Optional.of(new Pose2d(7, 7, 1)));
+        assertThat(drive.stops().get(1).odomFromBase()).isEqualTo(new Pose2d(6, 5, 0));
     }
 
     @Test
     void stepsThatNoRobotMakesAreTakenOutOfTheOdometry() throws IOException {
-        Course course = Course.of(log("""
+        RecordedDrive drive = RecordedDrive.of(log("""
                 FLASER 3 1 2 3 0 0 0 1 0 0 1 h 1
                 FLASER 3 1 2 4 0 0 0 1.2 0 0 1.2 h 1.2
                 FLASER 3 1 2 5 0 0 0 9 9 1.5 1.4 h 1.4
@@ -68,45 +68,45 @@ class CourseTest {
                 FLASER 3 1 2 7 0 0 0 9 19.2 1.5 21.6 h 21.6
                 """));
 
-        assertThat(course.leaps()).singleElement().satisfies(leap -> {
+        assertThat(drive.leaps()).singleElement().satisfies(leap -> {
             assertThat(leap.line()).isEqualTo(3);
             assertThat(leap.meters()).isCloseTo(Math.hypot(7.8, 9), within(1e-9));
             assertThat(leap.radians()).isCloseTo(1.5, within(1e-9));
             assertThat(leap.seconds()).isCloseTo(0.2, within(1e-9));
         });
-        Course mended = course.withoutLeaps();
+        RecordedDrive mended = drive.withoutLeaps();
         assertThat(mended.leaps()).isEmpty();
         assertThat(step(mended, 2).isNear(Pose2d.ORIGIN, 1e-9, 1e-9)).isTrue();
         for (int i : new int[] {1, 3, 4}) {
-            Pose2d reported = step(course, i);
+            Pose2d reported = step(drive, i);
             assertThat(step(mended, i).isNear(reported, 1e-9, 1e-9))
                     .as("step %d", i)
                     .isTrue();
         }
     }
 
-    private static Pose2d step(Course course, int i) {
-        return course.stops()
+    private static Pose2d step(RecordedDrive drive, int i) {
+        return drive.stops()
                 .get(i - 1)
                 .odomFromBase()
                 .inverse()
-                .compose(course.stops().get(i).odomFromBase());
+                .compose(drive.stops().get(i).odomFromBase());
     }
 
     @Test
     void logsWithoutTimesHaveNoLeaps() throws IOException {
-        Course course = Course.of(log("""
+        RecordedDrive drive = RecordedDrive.of(log("""
                 FLASER 3 1 2 3 0 0 0 1 0 0 1 h 1
                 FLASER 3 1 2 4 0 0 0 9 9 0 1 h 1
                 """));
 
-        assertThat(course.leaps()).isEmpty();
-        assertThat(course.withoutLeaps().stops()).isEqualTo(course.stops());
+        assertThat(drive.leaps()).isEmpty();
+        assertThat(drive.withoutLeaps().stops()).isEqualTo(drive.stops());
     }
 
     @Test
     void scansThatLookTheSameAtSeveralPlacesTellNoPlace() throws IOException {
-        Course course = Course.of(log("""
+        RecordedDrive drive = RecordedDrive.of(log("""
                 FLASER 3 1 2 3 0 0 0 0 0 0 1 h 1
                 FLASER 3 inf inf inf 1 0 0 1 0 0 2 h 2
                 FLASER 3 9 9 9 2 0 0 2 0 0 3 h 3
@@ -123,7 +123,7 @@ class CourseTest {
                 FLASER 3 4 4 4 16.01 7 1 16.01 7 1 7 h 9
                 """));
 
-        assertThat(course.stops().stream().map(Course.Stop::mapFromBase).toList())
+        assertThat(drive.stops().stream().map(RecordedDrive.Stop::mapFromBase).toList())
                 .containsExactly(
                         Optional.of(new Pose2d(7, 7, 1)),
                         Optional.empty(), // the reference has two of them
@@ -140,17 +140,17 @@ class CourseTest {
         for (int i = 0; i < 200; i++) {
             lines.append("FLASER 1 1 %d 0 0 %d 0 0 %d h 0\n".formatted(i, i, i + 1));
         }
-        Course course = Course.of(log(lines.toString()));
+        RecordedDrive drive = RecordedDrive.of(log(lines.toString()));
         var noise = new OdometryModel(0.05, 0.03, 0.05);
 
-        Course drifted = course.drifting(noise, new SplittableRandom(1));
+        RecordedDrive drifted = drive.drifting(noise, new SplittableRandom(1));
 
         assertThat(drifted.stops().getLast().mapFromBase())
-                .isEqualTo(course.stops().getLast().mapFromBase());
+                .isEqualTo(drive.stops().getLast().mapFromBase());
         assertThat(drifted.stops().getLast().odomFromBase().distanceTo(new Pose2d(199, 0, 0)))
                 .isBetween(1.0, 199.0);
-        assertThat(course.drifting(noise, new SplittableRandom(1))).isEqualTo(drifted);
-        assertThat(course.drifting(new OdometryModel(0, 0, 0), new SplittableRandom(1))
+        assertThat(drive.drifting(noise, new SplittableRandom(1))).isEqualTo(drifted);
+        assertThat(drive.drifting(new OdometryModel(0, 0, 0), new SplittableRandom(1))
                         .stops()
                         .getLast()
                         .odomFromBase()

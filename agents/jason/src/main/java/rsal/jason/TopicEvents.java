@@ -9,11 +9,11 @@ import rsal.agent.Topics;
 
 /// What agents say on the common topics, as events `+heard(Topic,From,Content)`. Of topics' names AgentSpeak has
 /// `goal_reached` for `goal-reached`.
-final class Heard {
+final class TopicEvents {
     static final String FUNCTOR = "heard";
     static final int ARITY = 3;
 
-    private Heard() {}
+    private TopicEvents() {}
 
     static String name(Topic<?> topic) {
         return topic.name().replace('-', '_');
