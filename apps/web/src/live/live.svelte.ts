@@ -34,7 +34,7 @@ class Live implements Listener {
   /** Counts runs that this page was told of. One that it comes back to, as its connection was lost, is the same. */
   told = $state(0);
   details = $state.raw<Details | null>(null);
-  /** What of the simulated world is no robot. */
+  /** What of the simulated world is not a robot. */
   things = $state.raw(Things.NONE);
   /** Oldest first. */
   events = $state.raw<EventInfo[]>([]);

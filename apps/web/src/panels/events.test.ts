@@ -76,7 +76,7 @@ it('where words differ, those of the newest are told as such', () =>
     ]),
   ).toEqual(['patrol ×2 accept-proposal to 2 agents, last: visit (-10.6, 1.6)']));
 
-it('what is no message is never folded', () =>
+it('what is not a message is never folded', () =>
   expect(
     folded([
       [1, 'collision', 'prey-1', 'ran into wall'],

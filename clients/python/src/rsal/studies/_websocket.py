@@ -59,7 +59,7 @@ class WebSocket:
             name.strip().lower(): value.strip() for name, _, value in (line.partition(":") for line in answer[1:])
         }
         if " 101" not in answer[0] or fields.get("sec-websocket-accept") != accept.decode("ascii"):
-            raise RsalError(f"'{host}{path}' is no WebSocket of RSAL: it answered '{answer[0]}'.")
+            raise RsalError(f"'{host}{path}' is not a WebSocket of RSAL: it answered '{answer[0]}'.")
 
     def _receive(self) -> None:
         more = self._socket.recv(65536)

@@ -93,7 +93,8 @@ final class JadeAgent extends Agent implements Executor {
         try {
             topics().register(topic);
         } catch (ServiceException e) {
-            throw new IllegalStateException("JADE can't let agent '%s' hear '%s'.".formatted(name, topic), e);
+            throw new IllegalStateException(
+                    "JADE can't deliver topic '%2$s' to agent '%1$s'.".formatted(name, topic), e);
         }
     }
 
@@ -170,7 +171,7 @@ final class JadeAgent extends Agent implements Executor {
         }
         try {
             if (!own.join(PATIENCE)) {
-                LOG.log(Level.WARNING, () -> "Agent '%s' never returns; its thread is left.".formatted(name));
+                LOG.log(Level.WARNING, () -> "Agent '%s' never returns. Its thread still runs.".formatted(name));
                 own.interrupt();
             }
         } catch (InterruptedException _) {

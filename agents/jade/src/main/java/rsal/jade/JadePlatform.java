@@ -24,7 +24,7 @@ import rsal.time.AllowedToReadWallClock;
 /// and ended with the last, by threads of its own. A platform that starts just then would get what is about to end. So
 /// starts and ends wait for each other.
 @AllowedToReadWallClock(
-        "JADE holds up the end of a platform until it is three seconds old; meanwhile others may start.")
+        "JADE ends a platform only three seconds after its start. Others can start in the " + "meantime.")
 public final class JadePlatform {
     private static final Logger LOG = System.getLogger(JadePlatform.class.getName());
     private static final AtomicLong PLATFORMS = new AtomicLong();
@@ -73,7 +73,7 @@ public final class JadePlatform {
             }
             AgentContainer container = Runtime.instance().createMainContainer(profile);
             if (container == null) {
-                throw new IllegalStateException("JADE does not start; its log says why.");
+                throw new IllegalStateException("JADE does not start. Its log says why.");
             }
             running++;
             return new JadePlatform(id, files, profile, container);

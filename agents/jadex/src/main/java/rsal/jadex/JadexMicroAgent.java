@@ -83,7 +83,7 @@ public final class JadexMicroAgent implements Executor {
         if (there != null && !tasks.isEmpty() && isDue.compareAndSet(false, true)) {
             there.scheduleStep(turn).catchEx(e -> {
                 if (!ended) {
-                    LOG.log(Level.ERROR, () -> "Agent '%s' could not take its turn.".formatted(name), e);
+                    LOG.log(Level.ERROR, () -> "Agent '%s' could not be executed.".formatted(name), e);
                 }
             });
         }

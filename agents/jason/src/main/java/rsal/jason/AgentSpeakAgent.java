@@ -209,7 +209,7 @@ final class AgentSpeakAgent implements Agent {
             awake = false;
             if (++cycles > LIMIT) {
                 throw new IllegalStateException(
-                        "Agent '%s' found no end after %d reasoning cycles at one instant: %s. Maybe a goal calls itself for ever; '.wait' lets time pass."
+                        "Agent '%s' did not stop after %d reasoning cycles at one time: %s. Maybe a goal calls itself endlessly; '.wait' lets time pass."
                                 .formatted(own.self.name(), LIMIT, Thoughts.newest(own.reasoner)));
             }
             try {
@@ -234,11 +234,11 @@ final class AgentSpeakAgent implements Agent {
         String rule = own.reasoner
                 .beliefs()
                 .askedRule()
-                .map(asked -> " Rule '%s' at %s asks for itself."
+                .map(asked -> " Rule '%s' at %s depends on itself."
                         .formatted(asked.getPredicateIndicator(), program.locationOf(asked)))
                 .orElse("");
         return new IllegalStateException(
-                "Agent '%s' searched without an end at: %s.%s Maybe it should begin with the case in which it ends."
+                "Agent '%s' searched endlessly at: %s.%s Maybe the rule should begin with the case in which it ends."
                         .formatted(own.self.name(), Thoughts.newest(own.reasoner), rule));
     }
 
@@ -271,7 +271,7 @@ final class AgentSpeakAgent implements Agent {
             reasoner().getBB().add(percept);
             event(TEOperator.add, belief);
         } catch (JasonException e) {
-            throw new IllegalStateException("'%s' can't be believed.".formatted(belief), e);
+            throw new IllegalStateException("'%s' can't be a belief.".formatted(belief), e);
         }
     }
 

@@ -88,7 +88,7 @@ final class ExternalActions {
     private static Twist2d twist(List<Term> terms) {
         var twist = Twist2d.drive(Terms.number(terms.getFirst()), Terms.number(terms.getLast()));
         if (!twist.isFinite()) {
-            throw new IllegalArgumentException("One can't drive '%s'.".formatted(twist));
+            throw new IllegalArgumentException("'%s' is not a drive.".formatted(twist));
         }
         return twist;
     }

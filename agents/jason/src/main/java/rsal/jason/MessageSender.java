@@ -61,15 +61,16 @@ final class MessageSender {
 
     private void hear(String sender, Speech speech, TermReader reader) {
         if (AgentSpeak.TAKEN.contains(sender)) {
-            agent.complain("Agent '%s' is not listened to: in AgentSpeak, that is a source of one's own beliefs."
-                    .formatted(sender));
+            agent.complain(
+                    "Messages of agent '%s' are ignored: in AgentSpeak, this name is a source of an agent's own beliefs."
+                            .formatted(sender));
             return;
         }
         Term content;
         try {
             content = reader.read(speech.content());
         } catch (IllegalArgumentException e) {
-            agent.complain("Agent '%s' said what is no term: %s".formatted(sender, speech));
+            agent.complain("Agent '%s' sent a content that is not a term: %s".formatted(sender, speech));
             return;
         }
         var message = new Message(

@@ -120,7 +120,7 @@ final class Pending extends Circumstance {
                         @Override
                         public void remove() {
                             if (last == null) {
-                                throw new IllegalStateException("There is nothing to remove before the first.");
+                                throw new IllegalStateException("There is nothing to remove before the first element.");
                             }
                             map.remove(last.getKey());
                         }

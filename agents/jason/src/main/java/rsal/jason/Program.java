@@ -112,7 +112,7 @@ record Program(String path, Map<String, String> texts) {
         } catch (TokenMgrError e) {
             throw new InvalidSettings(
                     lexical(path, String.valueOf(e.getMessage())),
-                    "This is not AgentSpeak: a text without its end, or a sign that it does not have.",
+                    "This is not AgentSpeak: a text has no end, or a character is not allowed.",
                     "");
         } catch (JasonException e) {
             throw new InvalidSettings(

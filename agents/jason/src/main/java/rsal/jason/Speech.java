@@ -14,10 +14,10 @@ public record Speech(String performative, String content, String id, String inRe
     public static final Topic<Speech> TOPIC = new Topic<>("speech", Speech.class);
 
     public Speech {
-        Objects.requireNonNull(performative, "Speech must have a performative.");
-        Objects.requireNonNull(content, "Speech must have a content.");
-        Objects.requireNonNull(id, "Speech must have an id, if an empty one.");
-        Objects.requireNonNull(inReplyTo, "Speech must say what it answers, if nothing.");
+        Objects.requireNonNull(performative, "A speech act must have a performative.");
+        Objects.requireNonNull(content, "A speech act must have a content.");
+        Objects.requireNonNull(id, "A speech act must have an id, even if it is empty.");
+        Objects.requireNonNull(inReplyTo, "A speech act must say what it replies to, even if nothing.");
     }
 
     /// `tell: bid(3.5)`

@@ -131,7 +131,7 @@ final class SuspendedIntentions implements CircumstanceListener {
             deliberation()
                     .generateGoalDeletion(
                             intention,
-                            JasonException.createBasicErrorAnnots("wait_timeout", "What was waited for has not come."),
+                            JasonException.createBasicErrorAnnots("wait_timeout", "The awaited event has not come."),
                             new Atom("wait_timeout"));
         } catch (JasonException e) {
             agent.complain(String.valueOf(e.getMessage()));

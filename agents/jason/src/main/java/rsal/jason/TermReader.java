@@ -15,7 +15,7 @@ final class TermReader {
         this.agent = agent;
     }
 
-    /// @throws IllegalArgumentException when it is no term
+    /// @throws IllegalArgumentException when it is not a term
     Term read(String text) {
         as2j ready = parser;
         parser = null; // one that fails would go on in the middle of something

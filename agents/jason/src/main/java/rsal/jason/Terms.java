@@ -116,7 +116,7 @@ final class Terms {
                 // said below
             }
         }
-        throw new IllegalArgumentException("'%s' is no number.".formatted(written(term)));
+        throw new IllegalArgumentException("'%s' is not a number.".formatted(written(term)));
     }
 
     // ── From Java ────────────────────────────────────────────────────────────────────────────────────────────────
@@ -169,10 +169,10 @@ final class Terms {
             if (terms.size() == 1) {
                 return type.cast(value(type, terms.getFirst()));
             }
-            throw new IllegalArgumentException("'%s' is made of one term.".formatted(functor(type)));
+            throw new IllegalArgumentException("'%s' takes one term.".formatted(functor(type)));
         }
         if (components.length != terms.size()) {
-            throw new IllegalArgumentException("'%s' is made of %d terms, not %d: %s."
+            throw new IllegalArgumentException("'%s' takes %d terms, not %d: %s."
                     .formatted(
                             functor(type),
                             components.length,
@@ -204,7 +204,7 @@ final class Terms {
     private static Object value(Type type, Term term) {
         if (type instanceof ParameterizedType list && list.getRawType().equals(List.class)) {
             return list(term)
-                    .orElseThrow(() -> new IllegalArgumentException("'%s' is no list.".formatted(written(term))))
+                    .orElseThrow(() -> new IllegalArgumentException("'%s' is not a list.".formatted(written(term))))
                     .stream()
                     .map(each -> value(list.getActualTypeArguments()[0], each))
                     .toList();
@@ -229,7 +229,7 @@ final class Terms {
         }
         if (kind == Rgb.class) {
             return ColorNames.parse(words(term))
-                    .orElseThrow(() -> new IllegalArgumentException("'%s' is no color, #rrggbb or a name. %s"
+                    .orElseThrow(() -> new IllegalArgumentException("'%s' is not a color, #rrggbb or a name. %s"
                             .formatted(words(term), ColorNames.advice(words(term)))));
         }
         if (kind.isEnum()) {
@@ -237,7 +237,7 @@ final class Terms {
                     .filter(constant -> ((Enum<?>) constant).name().equalsIgnoreCase(words(term)))
                     .findFirst()
                     .orElseThrow(() -> new IllegalArgumentException(
-                            "'%s' is none of %s.".formatted(words(term), Arrays.toString(kind.getEnumConstants()))));
+                            "'%s' is not one of %s.".formatted(words(term), Arrays.toString(kind.getEnumConstants()))));
         }
         if (kind.isRecord() && term instanceof Structure structure) {
             return record(kind, structure.getTerms());
@@ -259,7 +259,7 @@ final class Terms {
     }
 
     /// @param reader whose functions it names: Jason's own of the process would read the machine's clock
-    /// @throws IllegalArgumentException when it is no term
+    /// @throws IllegalArgumentException when it is not a term
     static Term read(String text, Agent reader) {
         return read(text, parser(text, reader));
     }
@@ -275,11 +275,11 @@ final class Terms {
         try {
             Term term = parser.term();
             if (parser.getNextToken().kind != as2jConstants.EOF) {
-                throw new IllegalArgumentException("'%s' is more than a term.".formatted(text));
+                throw new IllegalArgumentException("'%s' is more than one term.".formatted(text));
             }
             return labelled(term);
         } catch (ParseException | TokenMgrError e) {
-            throw new IllegalArgumentException("'%s' is no term.".formatted(text), e);
+            throw new IllegalArgumentException("'%s' is not a term.".formatted(text), e);
         }
     }
 
@@ -302,7 +302,7 @@ final class Terms {
         try {
             return parser.plan();
         } catch (ParseException | TokenMgrError e) {
-            throw new IllegalArgumentException("'%s' is no plan.".formatted(text), e);
+            throw new IllegalArgumentException("'%s' is not a plan.".formatted(text), e);
         }
     }
 
@@ -312,7 +312,7 @@ final class Terms {
     static Duration millis(Term term) {
         double millis = number(term);
         if (!(millis >= 0)) {
-            throw new IllegalArgumentException("'%s' is no time in milliseconds.".formatted(written(term)));
+            throw new IllegalArgumentException("'%s' is not a time in milliseconds.".formatted(written(term)));
         }
         return Duration.ofNanos(Math.round(Math.min(millis, LONGEST) * 1e6));
     }

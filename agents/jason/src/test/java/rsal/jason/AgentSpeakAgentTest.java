@@ -404,7 +404,7 @@ class AgentSpeakAgentTest extends RobotBench {
                 -!go[reason(R), error_msg(M)] <- state(R, ": ", M).
                 """);
         advance(0);
-        assertThat(view("a").state()).startsWith("wrong: 'caught' is made of 3 terms, not 1: prey, hunter, distance.");
+        assertThat(view("a").state()).startsWith("wrong: 'caught' takes 3 terms, not 1: prey, hunter, distance.");
     }
 
     // ── Others ───────────────────────────────────────────────────────────────────────────────────────────────────
@@ -831,7 +831,7 @@ class AgentSpeakAgentTest extends RobotBench {
                 advance(0.5);
                 AgentPlatform.View after = view("a");
                 assertThat(after.status() == AgentPlatform.Status.RUNNING
-                                || after.state().contains("found no end after"))
+                                || after.state().contains("did not stop after"))
                         .as("seed %d: %s: %s", seed, text, after.state())
                         .isTrue();
                 platform.stop("a");
@@ -874,7 +874,7 @@ class AgentSpeakAgentTest extends RobotBench {
         start("b", "!go. +!go <- .wait(2000); .print(\"lives\").");
         advance(3);
         assertThat(view("a").status()).isEqualTo(AgentPlatform.Status.FAILED);
-        assertThat(view("a").state()).contains("found no end after 10000 reasoning cycles", "'.wait'");
+        assertThat(view("a").state()).contains("did not stop after 10000 reasoning cycles", "'.wait'");
         assertThat(view("b").state()).isEqualTo("lives");
     }
 
@@ -885,11 +885,11 @@ class AgentSpeakAgentTest extends RobotBench {
         advance(1);
         assertThat(view("a").status()).isEqualTo(AgentPlatform.Status.FAILED);
         assertThat(view("a").state())
-                .contains("Agent 'a' searched without an end", "Rule 'p/1' at a.asl:1:1 asks for itself.");
+                .contains("Agent 'a' searched endlessly", "Rule 'p/1' at a.asl:1:1 depends on itself.");
         assertThat(view("b").state()).isEqualTo("lives");
         start("c", "q(X) :- q(X).\n!go.\n+!go <- .findall(X, q(X), L); .print(L).");
         advance(1);
-        assertThat(view("c").state()).contains("searched without an end at: go", "a.asl:3", "Rule 'q/1' at a.asl:1:1");
+        assertThat(view("c").state()).contains("searched endlessly at: go", "a.asl:3", "Rule 'q/1' at a.asl:1:1");
     }
 
     @Test

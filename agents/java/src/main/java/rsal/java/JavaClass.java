@@ -51,14 +51,15 @@ record JavaClass(Constructor<?> constructor, Location at) {
             throw new InvalidSettings(
                     at,
                     "There is no class '%s' in this file.".formatted(sources.simpleName()),
-                    "Call the class as the file is called.");
+                    "Give the class the name of the file.");
         }
         if (type.getClassLoader() != classes) {
             throw new InvalidSettings(
                     at, "RSAL has a class '%s' already.".formatted(name), "Rename the class and its file.");
         }
         if (use.kinds().stream().noneMatch(kind -> kind.isAssignableFrom(type))) {
-            throw new InvalidSettings(at, "Class '%s' is no %s.".formatted(name, use.what()), use.remedy());
+            throw new InvalidSettings(
+                    at, "Class '%s' is not of the kind '%s'.".formatted(name, use.what()), use.remedy());
         }
         return type;
     }

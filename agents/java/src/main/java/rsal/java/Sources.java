@@ -40,7 +40,7 @@ record Sources(String path, Map<String, String> texts) {
         String name = path.substring(folder.length());
         if (!SourceVersion.isIdentifier(name.substring(0, name.length() - SUFFIX.length()))) {
             throw new InvalidSettings(
-                    askedAt, "A Java file can't be called '%s'.".formatted(name), "Call it as its class is called.");
+                    askedAt, "A Java file can't be called '%s'.".formatted(name), "Give it the name of its class.");
         }
         var texts = new LinkedHashMap<String, String>();
         texts.put(path, files.text(path, MAX_BYTES, askedAt));

@@ -183,7 +183,7 @@ class JavaLanguageTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '"', textBlock = """
             class Other {}                                               | There is no class 'Mine' in this file.
-            public class Mine {}                                         | Class 'Mine' is no agent.
+            public class Mine {}                                         | Class 'Mine' is not of the kind 'agent'.
             class Mine implements rsal.agent.Agent { public void start(rsal.agent.AgentContext self) {} } | can't be used as an agent
             public abstract class Mine implements rsal.agent.Agent {}    | can't be used as an agent
             public class Mine implements rsal.agent.Agent { public Mine(int x) {} public void start(rsal.agent.AgentContext self) {} } | can't be used as an agent

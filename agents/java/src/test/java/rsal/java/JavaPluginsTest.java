@@ -54,7 +54,7 @@ class JavaPluginsTest {
         refuses(
                 PLUGIN.replace("function.Supplier<String>", "concurrent.Callable<String>")
                         .replace("get()", "call()"),
-                "Class 'Plug' is no supplier.",
+                "Class 'Plug' is not of the kind 'supplier'.",
                 "Let it implement java.util.function.Supplier.");
         refuses(
                 PLUGIN.replace("public class", "class"),

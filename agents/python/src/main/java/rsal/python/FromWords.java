@@ -38,13 +38,13 @@ final class FromWords {
         if (words instanceof Number number) {
             return number.doubleValue();
         }
-        throw new IllegalArgumentException("'%s' is no number.".formatted(words));
+        throw new IllegalArgumentException("'%s' is not a number.".formatted(words));
     }
 
     static int integer(@Nullable Object words) {
         double number = number(words);
         if (number != Math.rint(number) || Math.abs(number) > Integer.MAX_VALUE) {
-            throw new IllegalArgumentException("'%s' is no whole number.".formatted(words));
+            throw new IllegalArgumentException("'%s' is not a whole number.".formatted(words));
         }
         return (int) number;
     }
@@ -56,14 +56,14 @@ final class FromWords {
             map.forEach((name, each) -> all.put(name, unchanged(each)));
             return Collections.unmodifiableSequencedMap(all);
         }
-        throw new IllegalArgumentException("'%s' is no dict.".formatted(words));
+        throw new IllegalArgumentException("'%s' is not a dict.".formatted(words));
     }
 
     static List<?> list(@Nullable Object words) {
         if (words instanceof List<?> list) {
             return list;
         }
-        throw new IllegalArgumentException("'%s' is no list.".formatted(words));
+        throw new IllegalArgumentException("'%s' is not a list.".formatted(words));
     }
 
     private static @Nullable Object unchanged(@Nullable Object words) {
@@ -91,7 +91,7 @@ final class FromWords {
             return words == null ? OptionalDouble.empty() : OptionalDouble.of(number(words));
         }
         if (words == null) {
-            throw new IllegalArgumentException("None is no '%s'.".formatted(plain.getSimpleName()));
+            throw new IllegalArgumentException("None is not a '%s'.".formatted(plain.getSimpleName()));
         }
         if (plain == double.class || plain == Double.class) {
             return number(words);
@@ -135,7 +135,7 @@ final class FromWords {
     }
 
     private static IllegalArgumentException misfit(Object words, Class<?> type) {
-        return new IllegalArgumentException("'%s' is no '%s'.".formatted(words, type.getSimpleName()));
+        return new IllegalArgumentException("'%s' is not a '%s'.".formatted(words, type.getSimpleName()));
     }
 
     private static Object container(@Nullable Object words, Class<?> type, Type[] inner) {
@@ -203,7 +203,7 @@ final class FromWords {
             return shape.constructor.newInstance(values);
         } catch (InvocationTargetException e) {
             throw new IllegalArgumentException(
-                    "That is no '%s': %s"
+                    "This is not a '%s': %s"
                             .formatted(
                                     type.getSimpleName(),
                                     Objects.requireNonNull(e.getCause()).getMessage()),

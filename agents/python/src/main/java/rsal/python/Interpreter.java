@@ -74,7 +74,7 @@ final class Interpreter {
     /// Where Python finds the package `rsal`: a folder, or a place in a jar.
     private static String home() {
         URL marker = Objects.requireNonNull(
-                Interpreter.class.getResource("/python/rsal/protocol.py"), "Python's side is beside this class.");
+                Interpreter.class.getResource("/python/rsal/protocol.py"), "The Python package is beside this class.");
         try {
             if (marker.getProtocol().equals("jar")) {
                 String inside = marker.getPath();

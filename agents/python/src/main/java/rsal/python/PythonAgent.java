@@ -114,7 +114,7 @@ final class PythonAgent implements Agent {
 
             @Override
             public @Nullable Object answer(List<?> asked) {
-                throw new IllegalStateException("Nothing can be asked any more: the agent is stopped.");
+                throw new IllegalStateException("The agent is stopped and can't be asked any more.");
             }
         });
         try {

@@ -40,7 +40,7 @@ final class PythonConversations {
             case "tender" -> tender(asked);
             case "bid" -> bid(asked.number(0), asked.text(1));
             case "agree", "inform", "refuse", "fail", "propose" -> say(asked);
-            default -> throw new IllegalArgumentException("RSAL knows no '%s'.".formatted(asked.verb()));
+            default -> throw new IllegalArgumentException("RSAL has no '%s'.".formatted(asked.verb()));
         }
     }
 

@@ -165,14 +165,14 @@ final class PythonRequests implements PythonWorker.Peer {
             case "agents" ->
                 self.directory().agents().stream().map(this::described).toList();
             case "notes" -> notes(topic(asked.text(0)));
-            default -> throw new IllegalArgumentException("RSAL knows no '%s'.".formatted(asked.verb()));
+            default -> throw new IllegalArgumentException("RSAL has no '%s'.".formatted(asked.verb()));
         };
     }
 
     /// @param index −1 for the simulation
     private Device device(int index) {
         return index < 0
-                ? simulation.orElseThrow(() -> new IllegalArgumentException("Nothing is simulated here."))
+                ? simulation.orElseThrow(() -> new IllegalArgumentException("This run has no simulated world."))
                 : robot.orElseThrow().devices().get(index);
     }
 

@@ -74,7 +74,7 @@ final class PythonWorker {
             }
             if (!Integer.valueOf(FramePipe.VERSION).equals(hello.get("protocol"))
                     || !"little".equals(hello.get("order"))) {
-                throw new PythonFailure("Python's side does not fit to this version of RSAL: %s.".formatted(hello));
+                throw new PythonFailure("The Python package is not of this version of RSAL: %s.".formatted(hello));
             }
         } catch (IOException _) {
             throw ended();

@@ -200,7 +200,7 @@ public final class Main implements Runnable {
                     "rsal: The %,d MiB of memory that it may have are not enough. Maybe give it more: JAVA_TOOL_OPTIONS=-Xmx%dm rsal …"
                             .formatted(most, 2 * most));
         } else {
-            err.println("rsal: The machine has not enough for this: " + what);
+            err.println("rsal: This machine does not have enough resources: " + what);
         }
         return Exit.UNREACHABLE;
     }
@@ -208,7 +208,7 @@ public final class Main implements Runnable {
     @Override
     public void run() {
         throw new ParameterException(
-                spec.commandLine(), "Say what to do: %s.".formatted(String.join(", ", commands())));
+                spec.commandLine(), "Name a command: %s.".formatted(String.join(", ", commands())));
     }
 
     private List<String> commands() {
@@ -247,7 +247,7 @@ public final class Main implements Runnable {
             return "There is no command '%s'. %s"
                     .formatted(word, Suggestion.among(word, spec.subcommands().keySet()));
         }
-        return "'%s' is more than '%s' takes.".formatted(word, spec.qualifiedName());
+        return "'%s' is more than '%s' accepts.".formatted(word, spec.qualifiedName());
     }
 
     private static int printFailure(Exception failure, CommandLine command, ParseResult typed) throws IOException {

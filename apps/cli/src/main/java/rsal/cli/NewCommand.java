@@ -138,7 +138,7 @@ final class NewCommand extends Subcommand {
         Template template = Template.inLanguage(mas)
                 .orElseThrow(() -> new ParameterException(
                         spec.commandLine(),
-                        "Multi-agent system '%s' runs the same agents as '%s'. Remove --mas here, and say it to 'rsal run'."
+                        "Multi-agent system '%s' runs the same agents as '%s'. Remove --mas here, and use it with 'rsal run'."
                                 .formatted(mas, PLAIN)));
         check(from == null, "--mas %s begins with a scenario of its own. Remove --from %s.".formatted(mas, from));
         return template;

@@ -570,12 +570,12 @@ class BridgeIT {
         assertThat(unknown.err()).contains("There is no bridge 'plaxer'. Maybe 'player' was meant?");
         Ended nowhere = new Rsal(folder).run("bridge", "player", "teleop", "--listen", "not an address");
         assertThat(nowhere.code()).isEqualTo(2);
-        assertThat(nowhere.err()).contains("'not an address' is no address of a machine");
+        assertThat(nowhere.err()).contains("'not an address' is not an address of a machine");
         try (var taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             String port = Integer.toString(taken.getLocalPort());
             Ended inUse = new Rsal(folder).run("bridge", "player", "teleop", "--port", port);
             assertThat(inUse.code()).isEqualTo(5);
-            assertThat(inUse.err()).contains("Nobody may listen at '", port, "another 'rsal bridge'", "--port 0");
+            assertThat(inUse.err()).contains("RSAL can't listen at '", port, "another 'rsal bridge'", "--port 0");
         }
     }
 }

@@ -970,7 +970,7 @@ class CommandLineIT {
         Ended refused = rsal.run("run", "endless.world", "--headless", "--speed", "max");
         assertThat(refused.code()).isEqualTo(Exit.USAGE);
         assertThat(refused.out()).isEmpty();
-        assertThat(refused.err()).contains("A world has no end of its own: without a page, say --for SECONDS.");
+        assertThat(refused.err()).contains("A world has no stop condition: without a page, add --for SECONDS.");
         Ended reported = rsal.run("run", "endless.world", "--headless", "--speed", "max", "--for", "1", "--json");
         assertThat(reported.code()).as(reported.err()).isZero();
         assertThat(reported.out())
@@ -1011,7 +1011,7 @@ class CommandLineIT {
                         "'min_gap_width' is not known in 'robots.r.devices.navigator.controller'",
                         "Maybe 'minGapWidth' was meant?",
                         "player.yaml:13:",
-                        "comes with each goal");
+                        "its own tolerance");
     }
 
     @Test
@@ -1068,7 +1068,7 @@ class CommandLineIT {
         assertThat(nobody.code()).as("it can be looked at: %s", nobody.err()).isZero();
         Ended converted = rsal.run("convert", "lab.cfg");
         assertThat(converted.code()).isEqualTo(Exit.INVALID);
-        assertThat(converted.err()).contains("no file that can be converted");
+        assertThat(converted.err()).contains("not a file that can be converted");
     }
 
     @Test
@@ -1290,7 +1290,7 @@ class CommandLineIT {
         Ended converted = rsal.run("convert", "cart.urdf");
         assertThat(converted.code()).as(converted.err()).isZero();
         assertThat(converted.out()).contains("cart.yaml", "cart-laser.yaml", "robots: {NAME: {model: cart.yaml}}");
-        assertThat(converted.err()).contains("cart.urdf:21:", "no box, cylinder or sphere");
+        assertThat(converted.err()).contains("cart.urdf:21:", "not a box, cylinder or sphere");
         assertThat(rsal.run("show", "cart.yaml").out()).contains("Cart of a lab", "mounts:");
         Files.writeString(folder.resolve("carts.yaml"), """
                 rsal: 1
@@ -1303,7 +1303,7 @@ class CommandLineIT {
                 """);
         Ended run = rsal.run("run", "carts.yaml", "--headless", "--speed", "max");
         assertThat(run.code()).as(run.err()).isZero();
-        assertThat(rsal.run("convert", "cart.urdf").err()).contains("Say --force to overwrite it.");
+        assertThat(rsal.run("convert", "cart.urdf").err()).contains("Use --force to overwrite it.");
     }
 
     @Test

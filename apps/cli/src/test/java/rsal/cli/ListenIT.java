@@ -125,10 +125,10 @@ class ListenIT {
         Files.writeString(folder.resolve("tokens"), "watch short\n");
 
         refuses(2, "--listen needs --certificate", "run", "--listen", "127.0.0.1");
-        refuses(2, "are for --listen", "run", "--key", "key.pem");
+        refuses(2, "need --listen", "run", "--key", "key.pem");
         refuses(
                 3,
-                "This is no unencrypted private key in PEM",
+                "This is not an unencrypted private key in PEM",
                 "run",
                 "--listen",
                 "127.0.0.1",
@@ -138,7 +138,7 @@ class ListenIT {
                 "other.pem");
         refuses(
                 3,
-                "This is no certificate in PEM",
+                "This is not a certificate in PEM",
                 "run",
                 "--listen",
                 "127.0.0.1",
@@ -155,7 +155,7 @@ class ListenIT {
                 3,
                 "at least 16 characters",
                 listening(8443, "--token-file", "tokens").toArray(String[]::new));
-        refuses(2, "is no origin", listening(8443, "--origin", "robots").toArray(String[]::new));
+        refuses(2, "is not an origin", listening(8443, "--origin", "robots").toArray(String[]::new));
         refuses(
                 2,
                 "'x y' is not a port",

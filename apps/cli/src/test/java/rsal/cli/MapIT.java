@@ -113,7 +113,7 @@ class MapIT {
         Ended ended = rsal.run("map", "raw.log", "--out", "raw", "--json");
 
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(ended.err()).contains("'raw.log' tells poses of the laser that move about", "(0.30 m)");
+        assertThat(ended.err()).contains("In 'raw.log', the laser moves on the robot", "(0.30 m)");
         JsonNode wandering =
                 new JsonMapper().readTree(ended.out()).path("logs").path(0).path("wandering");
         assertThat(wandering.path("meters").asDouble()).isBetween(0.29, 0.31);

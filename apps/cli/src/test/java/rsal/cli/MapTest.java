@@ -99,7 +99,7 @@ class MapTest {
         Mapped mapped = map("odomreset");
         mapped.assertWhole();
         assertThat(mapped.err())
-                .contains("odomreset.log.gz' leaps once.", "odomreset.log.gz:301: 7.71 m and 90° in 0.20 s");
+                .contains("odomreset.log.gz' jumps once.", "odomreset.log.gz:301: 7.71 m and 90° in 0.20 s");
         assertThat(mapped.worstStep()).isLessThan(2);
     }
 }

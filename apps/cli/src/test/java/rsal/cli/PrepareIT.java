@@ -49,7 +49,7 @@ class PrepareIT {
         Ended ended = new Rsal(folder).run("prepare");
 
         assertThat(ended.code()).isEqualTo(5);
-        assertThat(ended.err()).contains("no unpacked release");
+        assertThat(ended.err()).contains("not an unpacked release");
     }
 
     /// Else each start would try again what can't be.

@@ -102,7 +102,7 @@ class RecordIT {
         assertThat(Files.readString(folder.resolve("back.log"))).contains("ROBOTLASER1", "ODOM");
         Ended there = rsal.run("convert", "lab_bag", "back.log");
         assertThat(there.code()).isEqualTo(Exit.INVALID);
-        assertThat(there.err()).contains("there already", "Say --force");
+        assertThat(there.err()).contains("there already", "Use --force");
         Ended unknown = rsal.run("convert", "lab_bag", "back.pcd");
         assertThat(unknown.code()).isEqualTo(Exit.INVALID);
         assertThat(unknown.err()).contains("back.pcd", "OUT.log", "FOLDER/", "FILE.world");
@@ -188,9 +188,9 @@ class RecordIT {
         assertThat(nowhere.err()).contains("No recording can be written");
         Ended none = rsal.run("show", "there.mcap");
         assertThat(none.code()).isEqualTo(Exit.INVALID);
-        assertThat(none.err()).contains("is no MCAP");
+        assertThat(none.err()).contains("is not an MCAP file");
         assertThat(rsal.run("replay", "missing.mcap", "--verify").err()).contains("There is no file");
-        assertThat(rsal.run("replay", "there.mcap").err()).contains("is no MCAP");
+        assertThat(rsal.run("replay", "there.mcap").err()).contains("is not an MCAP file");
         assertThat(rsal.run("replay", "there.mcap", "--verify", "--port", "0").code())
                 .isEqualTo(Exit.USAGE);
         assertThat(rsal.run("replay", "there.mcap", "--json").code()).isEqualTo(Exit.USAGE);

@@ -70,7 +70,7 @@ class SweepIT {
     void aKilledSweepGoesOnWithTheRowsOfOneThatWasNot() throws Exception {
         Ended whole = rsal.run(with("--jobs", "2", "--json"));
         assertThat(whole.code()).as(whole.err()).isEqualTo(Exit.SUCCESS);
-        assertThat(whole.err()).doesNotContain("Broken off");
+        assertThat(whole.err()).doesNotContain("Interrupted");
         JsonNode result = new JsonMapper().readTree(whole.out());
         assertThat(result.get("ended").intValue()).isEqualTo(16);
         assertThat(result.get("combinations")
@@ -131,7 +131,7 @@ class SweepIT {
         Ended ended = Ended.of(process);
         assertThat(ended.code()).isEqualTo(code);
         assertThat(ended.out()).isEmpty();
-        assertThat(ended.err()).contains("Broken off", "--resume").doesNotContain("\tat ", "Exception");
+        assertThat(ended.err()).contains("Interrupted", "--resume").doesNotContain("\tat ", "Exception");
 
         assertThat(rsal.run(with("--resume")).code()).isEqualTo(Exit.SUCCESS);
         Set<Integer> runs = new HashSet<>();
@@ -155,7 +155,7 @@ class SweepIT {
             guard.yaml --seeds 5-4                 | 2 | Seeds 5:4 must go up
             guard.yaml --jobs 0                    | 2 | '0'
             guard.yaml --repeat 2 --seeds 1-2      | 2 | either --repeat or --seeds
-            guard.yaml --resume                    | 3 | no sweep to go on with
+            guard.yaml --resume                    | 3 | no sweep to resume
             """)
     void saysWhatIsWrongBeforeAnythingStarts(String typed, int code, String message) throws Exception {
         Ended ended = rsal.run(("sweep --out s " + typed).split(" ", -1));

@@ -97,7 +97,7 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
         int channel = wanted.path("channelId").asInt(-1);
         if (id < 0 || !client.subscribe(id, channel)) {
             send(Status.error(
-                    "Subscription '%d' of channel '%d' can't be had: there is no such channel, or one of them is in use."
+                    "Subscription '%d' of channel '%d' is refused: there is no such channel, or one of them is in use."
                             .formatted(id, channel)));
         }
     }
@@ -112,7 +112,7 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
             send(Status.error(
                     "What is published here is JSON; '%s' is not.".formatted(PublishedGoal.shortened(topic))));
         } else if (wish.isEmpty()) {
-            send(Status.warning("'%s' means nothing here. Publish to %s."
+            send(Status.warning("Topic '%s' is not known here. Publish to %s."
                     .formatted(PublishedGoal.shortened(topic), PublishedGoal.TOPICS)));
         } else if (published.size() < MOST_PUBLISHED) {
             published.put(channel.path("id").asLong(-1), wish.get());
@@ -123,7 +123,7 @@ public final class ClientSocket extends Session.Listener.AbstractAutoDemanding i
     public void onWebSocketBinary(ByteBuffer message, Callback taken) {
         ByteBuffer bytes = message.slice().order(ByteOrder.LITTLE_ENDIAN);
         if (bytes.remaining() < 1 + Integer.BYTES || bytes.get() != PUBLISHED) {
-            send(Status.error("This is nothing that was published."));
+            send(Status.error("This was not published."));
         } else {
             PublishedGoal wish = published.get(Integer.toUnsignedLong(bytes.getInt()));
             byte[] pose = new byte[bytes.remaining()];

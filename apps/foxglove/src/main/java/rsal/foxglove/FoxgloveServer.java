@@ -190,7 +190,7 @@ public final class FoxgloveServer implements AutoCloseable {
 
     private static @Nullable ClientSocket refuse(
             ServerUpgradeRequest request, ServerUpgradeResponse response, Callback callback, int status, String why) {
-        LOG.info("Somebody was not let in: {}", why);
+        LOG.info("A connection was refused: {}", why);
         Response.writeError(request, response, callback, status, why);
         return null;
     }
@@ -256,7 +256,7 @@ public final class FoxgloveServer implements AutoCloseable {
             connections.add(connection);
         }
         leaves.ifPresent(
-                other -> other.close(StatusCode.TRY_AGAIN_LATER, "Somebody who knows the token takes this place."));
+                other -> other.close(StatusCode.TRY_AGAIN_LATER, "Another client with the token takes this place."));
         return true;
     }
 
@@ -300,7 +300,7 @@ public final class FoxgloveServer implements AutoCloseable {
                 client.welcome(showing.state.get());
             }
         } catch (IOException | RuntimeException e) {
-            LOG.warn("Let a client go that could not be sent to.", e);
+            LOG.warn("A client was disconnected, since nothing could be sent to it.", e);
             connection.close(StatusCode.SERVER_ERROR, "Showing the run failed.");
         }
     }

@@ -87,7 +87,7 @@ record PublishedGoal(Kind kind, String robot) {
         double y = orientation.path("y").asDouble(0);
         double length = w * w + x * x + y * y + z * z;
         if (!(length > 1e-6 && length < 1e6)) {
-            throw new Unclear("The orientation is no turn, as its numbers are all 0 or far too large.");
+            throw new Unclear("The orientation is not a rotation: its numbers are all 0 or far too large.");
         }
         return Math.atan2(2 * (w * z + x * y), length - 2 * (y * y + z * z));
     }

@@ -134,7 +134,7 @@ final class Dist implements Callable<Integer> {
             components.addBundled(list);
         }
         if (!components.unlicensed().isEmpty()) {
-            throw new IllegalStateException("These parts tell no licence, so they can't be passed on: "
+            throw new IllegalStateException("These parts have no licence, so they can't be distributed: "
                     + String.join(", ", components.unlicensed()));
         }
         return components;

@@ -49,7 +49,7 @@ import rsal.server.monitor.HealthRoutes;
 /// What can be asked about a recording over HTTP, as [Api] has it of a run. What asks for a time takes `time` in s of
 /// the run; left out, it is the end.
 final class ReplayApi {
-    private static final String OVER = "This is a recording: what it shows is over, and can't be changed.";
+    private static final String OVER = "This is a recording, which can't be changed.";
 
     private final Playback playback;
     private final RunInfo run;

@@ -365,11 +365,11 @@ class RunSlotsTest {
         serve(guards());
         open("{}");
         String real = "{\"configuration\":\"real\"}";
-        assertThat(post("/api/beside", real).body()).contains("make it late. Restart instead");
+        assertThat(post("/api/beside", real).body()).contains("would delay it. Restart instead");
         for (String path : List.of("/api/run/restart", "/beside/2/api/run/restart")) {
             Response refused = post(path, real);
             assertThat(refused.status()).isEqualTo(409);
-            assertThat(refused.body()).contains("make it late. Close those first");
+            assertThat(refused.body()).contains("would delay it. Close those first");
         }
         assertThat(all()).extracting(SeatInfo::configuration).containsExactly("pair", "pair");
 
@@ -377,7 +377,7 @@ class RunSlotsTest {
         assertThat(post("/api/run/restart", real).status()).isEqualTo(200);
         Response refused = post("/api/beside", "{\"configuration\":\"pair\"}");
         assertThat(refused.status()).isEqualTo(409);
-        assertThat(refused.body()).contains("The run goes in real time");
+        assertThat(refused.body()).contains("The run is in real time");
         assertThat(all()).hasSize(1);
 
         post("/api/run/stop", "");

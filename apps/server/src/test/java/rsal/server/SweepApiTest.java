@@ -392,7 +392,7 @@ class SweepApiTest {
     void sentencesAboutOptionsOfACommandAreLeftOutWhole() {
         assertThat(SweepReader.inForm("Maybe 0.5. Set 'run.clock.mode' to wall, as --clock wall does. Or a.yaml."))
                 .isEqualTo("Maybe 0.5. Or a.yaml.");
-        assertThat(SweepReader.inForm("Say how long by --for SECONDS.")).isEmpty();
+        assertThat(SweepReader.inForm("Set a limit by --for SECONDS.")).isEmpty();
         assertThat(SweepReader.inForm("")).isEmpty();
     }
 

@@ -7,7 +7,7 @@ package rsal.data;
 public record Fan(Pose2d baseFromSensor, double first, double increment, int count) {
     private static final double RAYS_APART = Math.toRadians(5);
     private static final double NARROW = Math.toRadians(1);
-    private static final double WIDEST = 20 * Math.PI; // of what is no sensor any more
+    private static final double WIDEST = 20 * Math.PI; // of what is not a sensor any more
 
     public Fan {
         if (!(Double.isFinite(first) && increment >= 0 && count >= 1 && (count - 1) * increment < WIDEST)) {
@@ -21,7 +21,7 @@ public record Fan(Pose2d baseFromSensor, double first, double increment, int cou
     /// @param width full opening angle [rad]
     public static Fan cone(Pose2d baseFromSensor, double width) {
         if (!(width < WIDEST)) {
-            throw new IllegalArgumentException("A cone can't be (%s rad) wide.".formatted(width));
+            throw new IllegalArgumentException("A cone can't have the width (%s rad).".formatted(width));
         }
         if (width <= NARROW) {
             return new Fan(baseFromSensor, 0, width, 1);

@@ -36,7 +36,8 @@ public interface SimulationControl extends Device {
 
     /// Adds a new thing to the world.
     default Placement add(Thing thing) {
-        return new Placement.Refused("'%s' can't be added: this world takes no things.".formatted(thing.name()));
+        return new Placement.Refused(
+                "'%s' can't be added: things can't be added to this world.".formatted(thing.name()));
     }
 
     /// As [#add], but also at an occupied pose.
@@ -87,7 +88,7 @@ public interface SimulationControl extends Device {
     /// @param id unique among the entities
     /// @param like id of a robot that is there or was
     default Placement addRobot(String id, String like, Pose2d mapFromBase) {
-        return new Placement.Refused("'%s' can't be added: this world takes no robots.".formatted(id));
+        return new Placement.Refused("'%s' can't be added: robots can't be added to this world.".formatted(id));
     }
 
     /// Takes a robot out of the world. It lets go of what it holds, its devices are lost, and the robot system tells

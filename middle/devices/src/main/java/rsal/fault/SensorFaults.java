@@ -50,7 +50,7 @@ public final class SensorFaults<T> {
             return refusal(registered.get(), fault);
         }
         if (!isOf(RANGES, type) && !isOf(PLACES, type) && !isOf(STATES, type)) {
-            return Optional.of("It is no sensor.");
+            return Optional.of("It is not a sensor.");
         }
         boolean error = fault instanceof Fault.Biased || fault instanceof Fault.Noisy;
         if (error && isOf(STATES, type)) {

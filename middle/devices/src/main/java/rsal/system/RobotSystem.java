@@ -54,7 +54,7 @@ public interface RobotSystem extends AutoCloseable {
     ///
     /// @param robot with an id unique among the world's entities, and a pose
     default Placement addRobot(RobotSpec robot) {
-        return new Placement.Refused("'%s' can't be added: there is no world that takes it.".formatted(robot.id()));
+        return new Placement.Refused("'%s' can't be added: there is no simulated world.".formatted(robot.id()));
     }
 
     /// Breaks robots on purpose; empty where that can't be done.

@@ -26,7 +26,7 @@ public interface Scheduler extends InstantSource, Executor {
     /// @throws UnsupportedOperationException in simulated time, in which the order of threads must not count
     default void exclusively(Runnable task) {
         throw new UnsupportedOperationException(
-                "In simulated time all runs on one thread. Maybe hand it over: scheduler.execute(...).");
+                "In simulated time, everything runs on one thread. Maybe call it by " + "scheduler.execute(...).");
     }
 
     /// The same thread's, by real time: for what must go on while the run's time stands, as it may where another

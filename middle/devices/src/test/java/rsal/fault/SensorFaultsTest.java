@@ -218,6 +218,6 @@ class SensorFaultsTest {
                 .get()
                 .asString()
                 .contains("ranges only");
-        assertThat(SensorFaults.refusal(Navigator.class, new Dead())).contains("It is no sensor.");
+        assertThat(SensorFaults.refusal(Navigator.class, new Dead())).contains("It is not a sensor.");
     }
 }

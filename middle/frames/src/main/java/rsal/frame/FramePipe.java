@@ -112,7 +112,7 @@ public final class FramePipe {
         try {
             return MAPPER.readValue(body, 0, length, Map.class);
         } catch (JacksonException e) {
-            throw new IOException("The words of a frame are no JSON object.", e);
+            throw new IOException("The words of a frame are not a JSON object.", e);
         }
     }
 

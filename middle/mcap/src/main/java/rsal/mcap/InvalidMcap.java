@@ -2,7 +2,7 @@ package rsal.mcap;
 
 import java.io.IOException;
 
-/// A file that is no MCAP, or one that can't be read at all.
+/// A file that is not an MCAP file, or one that can't be read at all.
 public final class InvalidMcap extends IOException {
     private static final long serialVersionUID = 1;
 

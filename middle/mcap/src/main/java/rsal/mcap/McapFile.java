@@ -38,14 +38,14 @@ public final class McapFile implements Closeable {
 
     /// Opens a file. Damage of chunks is found when they are read, unless there is no index to go by.
     ///
-    /// @throws InvalidMcap when it is no MCAP
+    /// @throws InvalidMcap when it is not an MCAP file
     public static McapFile open(Path path) throws IOException {
         return open(path, false);
     }
 
     /// Opens a file and reads all of it, so that all damage is known.
     ///
-    /// @throws InvalidMcap when it is no MCAP
+    /// @throws InvalidMcap when it is not an MCAP file
     public static McapFile check(Path path) throws IOException {
         return open(path, true);
     }
@@ -71,7 +71,7 @@ public final class McapFile implements Closeable {
             window.at(0, magic.length).get(first);
         }
         if (!Arrays.equals(magic, first)) {
-            throw new InvalidMcap("File '%s' is no MCAP: it does not begin like one.".formatted(path));
+            throw new InvalidMcap("File '%s' is not an MCAP file: it does not begin like one.".formatted(path));
         }
         String broken = "";
         Optional<McapContents> indexed = Optional.empty();

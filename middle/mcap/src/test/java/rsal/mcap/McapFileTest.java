@@ -164,7 +164,7 @@ class McapFileTest {
         Path path = write("no such thing".getBytes(StandardCharsets.UTF_8));
         assertThatThrownBy(() -> McapFile.open(path))
                 .isInstanceOf(InvalidMcap.class)
-                .hasMessageContaining("is no MCAP");
+                .hasMessageContaining("is not an MCAP file");
         assertThatThrownBy(() -> McapFile.open(write(new byte[0]))).isInstanceOf(InvalidMcap.class);
     }
 

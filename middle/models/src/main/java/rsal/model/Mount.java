@@ -105,7 +105,7 @@ record Mount(Pose2d baseFromDevice, OptionalDouble height, Optional<String> on, 
                 } else {
                     problems.add(
                             mount.writtenAt,
-                            "'%s' stands on '%s', which is no actuator.".formatted(device, carrier),
+                            "'%s' stands on '%s', which is not an actuator.".formatted(device, carrier),
                             "Only actuators carry devices.");
                 }
             });

@@ -380,7 +380,7 @@ class RobotModelsTest {
             eye: {pose: [0, 0, 0]}                  | 'mounts.eye.actuator' is missing       | cart.yaml:10
             eye: {actuator: table, pose: [0, 0]}    | must be a list of 3 numbers            | cart.yaml:10
             eye: {actuator: table, pose: [0, 0, 0], on: 1} | is not known                    | cart.yaml:10
-            eye: {actuator: back, pose: [0, 0, 0]}  | 'back', which is no actuator           | Only actuators carry
+            eye: {actuator: back, pose: [0, 0, 0]}  | 'back', which is not an actuator           | Only actuators carry
             """)
     void whatCantCarryIsRefused(String mount, String message, String more) throws IOException {
         write("eye.yaml", EYE);

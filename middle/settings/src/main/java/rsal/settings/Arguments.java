@@ -48,7 +48,7 @@ public final class Arguments {
 
     /// The same of values that are texts as typed on a command line or in a form.
     ///
-    /// @param typed by name; what is no text counts as it is
+    /// @param typed by name; what is not a text counts as it is
     /// @throws IllegalArgumentException with sentences about all values that are wrong
     public static Arguments parse(List<Parameter<?>> parameters, Map<String, ?> typed) {
         var values = new LinkedHashMap<String, Object>(typed);

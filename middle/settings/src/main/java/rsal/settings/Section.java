@@ -230,7 +230,7 @@ public final class Section {
                     .findFirst()
                     .ifPresent(item -> problem(
                             value.location(),
-                            "'%s' must be a list of %d numbers; %s is no finite one."
+                            "'%s' must be a list of %d numbers; %s is not finite."
                                     .formatted(path(key), count, item.describe()),
                             ""));
         } else {

@@ -21,13 +21,13 @@ public final class BitmapReader {
 
     /// Solid is what is at most half as bright as can be, as in Stage.
     ///
-    /// @throws Unreadable when it is no image, broken, or too large
+    /// @throws Unreadable when it is not an image, broken, or too large
     public static Bitmap read(byte[] bytes) throws Unreadable {
         return read(bytes, 0.5);
     }
 
     /// @param threshold how bright a pixel may be to be solid, 0 (black) to 1 (white)
-    /// @throws Unreadable when it is no image, broken, or too large
+    /// @throws Unreadable when it is not an image, broken, or too large
     public static Bitmap read(byte[] bytes, double threshold) throws Unreadable {
         if (bytes.length == 0) {
             throw new Unreadable("it is empty");
@@ -38,7 +38,7 @@ public final class BitmapReader {
         try (var in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
             Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
             if (!readers.hasNext()) {
-                throw new Unreadable("it is no image of a known kind (PNG, GIF, JPEG, BMP, TIFF, PBM, PGM, PPM)");
+                throw new Unreadable("it is not an image of a known kind (PNG, GIF, JPEG, BMP, TIFF, PBM, PGM, PPM)");
             }
             ImageReader reader = readers.next();
             try {

@@ -93,7 +93,7 @@ public final class Maps {
         throw new InvalidSettings(
                 askedAt,
                 "There is no map '%s'.".formatted(name),
-                Suggestion.among(name, builtIn) + " A map of your own goes by its YAML file's name.");
+                Suggestion.among(name, builtIn) + " Name your own map by its YAML file.");
     }
 
     private Found read(FileSource source, String path, Location askedAt) {
@@ -157,7 +157,7 @@ public final class Maps {
     /// @param resolution side of a pixel [m]
     /// @param negate whether white is occupied
     /// @param corner where the lower left one is; empty when the image's middle is at the origin
-    /// @throws InvalidSettings when it is no image, broken, or too large
+    /// @throws InvalidSettings when it is not an image, broken, or too large
     public static OccupancyGrid ofMapfile(
             String name, byte[] image, double resolution, boolean negate, Optional<Point2d> corner) {
         MapImage cells = MapImage.read(name, image, new Shading(negate, 0.95, 0.1, Shading.Opacity.COLOR));

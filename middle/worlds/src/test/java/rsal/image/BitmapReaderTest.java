@@ -56,7 +56,7 @@ class BitmapReaderTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "what            | it is no image of a known kind (PNG, GIF, JPEG, BMP, TIFF, PBM, PGM, PPM)",
+                "what            | it is not an image of a known kind (PNG, GIF, JPEG, BMP, TIFF, PBM, PGM, PPM)",
                 "P2 0 3 255      | it has 0 × 3 pixels; 1 to 134217728 are read",
                 "P5 60000 60000 255 | it has 60000 × 60000 pixels; 1 to 134217728 are read",
                 "P2 2 2 255 0 0  | it ends early",

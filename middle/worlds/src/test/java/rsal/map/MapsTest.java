@@ -205,7 +205,7 @@ class MapsTest {
                         .extracting(problem -> problem.message())
                         .satisfiesExactly(
                                 resolution -> assertThat(resolution).contains("'resolution'"),
-                                origin -> assertThat(origin).contains("3 numbers; 'NaN' is no finite one")));
+                                origin -> assertThat(origin).contains("3 numbers; 'NaN' is not finite")));
         write("lab.yaml", LAB);
         write("lab.pgm", "P5\n0 0\n255\n");
         assertThatExceptionOfType(InvalidSettings.class)

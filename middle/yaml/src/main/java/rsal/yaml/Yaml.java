@@ -172,7 +172,7 @@ public final class Yaml {
                 return number(text);
             }
         } catch (NumberFormatException _) {
-            throw new InvalidSettings(place, "'%s' is no %s that can be read here.".formatted(text, name(tag)), "");
+            throw new InvalidSettings(place, "'%s' is not a %s that can be read here.".formatted(text, name(tag)), "");
         }
         throw new InvalidSettings(place, "Tags '%s' are not read here.".formatted(tag.getValue()), "Remove the tag.");
     }

@@ -31,7 +31,8 @@ final class Poses {
         double[] xyz = {n[0], n[1], n[2]};
         if (quaternion) {
             if (n[3] * n[3] + n[4] * n[4] + n[5] * n[5] + n[6] * n[6] < 1e-12) {
-                throw new InvalidSettings(pose.location(), "This pose has the quaternion 0, which is no rotation.", "");
+                throw new InvalidSettings(
+                        pose.location(), "This pose has the quaternion 0, which is not a rotation.", "");
             }
             return Transform.ofQuaternion(xyz, new double[] {n[3], n[4], n[5], n[6]});
         }

@@ -79,7 +79,7 @@ final class SdfWorldReader {
         if (!root.name().equals("sdf")) {
             throw new InvalidSettings(
                     root.location(),
-                    "This is no world of Gazebo: it begins with '%s', not 'sdf'."
+                    "This is not a world of Gazebo: it begins with '%s', not 'sdf'."
                             .formatted(SdfText.shortened(root.name())),
                     "Its first element must be <sdf version=\"1.9\">.");
         }

@@ -293,15 +293,15 @@ class SdfFormatTest {
                         .error())
                 .isEqualTo("There is no 'world' in this file.");
         assertThat(Worlds.of("").and("worlds/test.sdf", "<robot/>").error())
-                .isEqualTo("This is no world of Gazebo: it begins with 'robot', not 'sdf'.");
-        assertThat(Worlds.of("<model name='a'>").error()).startsWith("This is no XML: ");
+                .isEqualTo("This is not a world of Gazebo: it begins with 'robot', not 'sdf'.");
+        assertThat(Worlds.of("<model name='a'>").error()).startsWith("This is not XML: ");
     }
 
     @Test
     void declarationsAreNotFollowed() {
         assertThat(Worlds.of("").and("worlds/test.sdf", """
                         <?xml version="1.0"?><!DOCTYPE sdf [<!ENTITY a SYSTEM "file:///etc/passwd">]>
-                        <sdf version="1.9"><world name="&a;"/></sdf>""").error()).startsWith("This is no XML: ");
+                        <sdf version="1.9"><world name="&a;"/></sdf>""").error()).startsWith("This is not XML: ");
     }
 
     @Test

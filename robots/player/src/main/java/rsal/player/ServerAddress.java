@@ -45,7 +45,7 @@ record ServerAddress(List<Server> servers, int index) {
             int port = parts.matches() ? Integer.parseInt(parts.group(2)) : 0;
             if (port < 1 || port > Session.LAST_PORT) {
                 throw new IllegalArgumentException(
-                        "'%s' is no server. Write HOST:PORT, as localhost:6665; its second robot is HOST:PORT:1, and servers of one robot are joined by +."
+                        "'%s' is not a server. Write HOST:PORT, as localhost:6665; its second robot is HOST:PORT:1, and servers of one robot are joined by +."
                                 .formatted(shortened(part)));
             }
             servers.add(new Server(parts.group(1), port));

@@ -480,7 +480,7 @@ class PlayerSystemTest {
         assertThatThrownBy(() -> discover(Map.of("port", nobody), spec()))
                 .cause()
                 .hasMessage(
-                        "There is no Player server at 'localhost:%d': Connection refused. Start that of the robot; or serve simulated robots: rsal bridge player SCENARIO --no-agents."
+                        "There is no Player server at 'localhost:%d': Connection refused. Start the robot's server; or serve simulated robots: rsal bridge player SCENARIO --no-agents."
                                 .formatted(nobody));
     }
 
@@ -569,7 +569,7 @@ class PlayerSystemTest {
     void robotsThatCantBeAreRefusedBeforeAnythingStarts() {
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of("servers", "nonsense"), spec()))
-                .withMessageContaining("'nonsense' is no server.");
+                .withMessageContaining("'nonsense' is not a server.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() ->
                         create(Map.of("servers", "a:1"), spec(), spec("r2", "pioneer2dx", Map.of("laser", "urg04lx"))))
@@ -584,7 +584,7 @@ class PlayerSystemTest {
                 .withMessageContaining("There are fewer than 2 ports from 65535 on.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of("simulation", "yes"), spec()))
-                .withMessageContaining("'yes' is no server.");
+                .withMessageContaining("'yes' is not a server.");
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> create(Map.of("simulation", "a:1, b:1"), spec()))
                 .withMessageContaining("'simulation' must be 'own' or HOST:PORT, not 'a:1, b:1'.");

@@ -60,7 +60,7 @@ class ServerAddressTest {
     void whatIsNoServerIsNamed(String text) {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> ServerAddress.read("ok:1 " + text))
-                .withMessageContaining("is no server. Write HOST:PORT");
+                .withMessageContaining("is not a server. Write HOST:PORT");
     }
 
     @Test
@@ -77,7 +77,7 @@ class ServerAddressTest {
                         .forEach(berth ->
                                 assertThat(ServerAddress.read(berth.toString())).containsExactly(berth));
             } catch (IllegalArgumentException e) {
-                assertThat(e).hasMessageContaining("is no server");
+                assertThat(e).hasMessageContaining("is not a server");
             }
         }
     }

@@ -92,7 +92,7 @@ final class DiscoveryMessages {
         ByteBuffer bytes = payload.slice().order(ByteOrder.BIG_ENDIAN);
         int encapsulation = bytes.remaining() < 4 ? -1 : bytes.getInt() >>> 16;
         if (encapsulation != PL_CDR_BE && encapsulation != PL_CDR_LE) {
-            throw new InvalidRtps("What a participant tells of itself is no parameter list.");
+            throw new InvalidRtps("What a participant tells of itself is not a parameter list.");
         }
         bytes.order(encapsulation == PL_CDR_LE ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
         return ParameterList.read(bytes);

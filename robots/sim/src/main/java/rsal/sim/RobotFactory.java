@@ -159,7 +159,7 @@ final class RobotFactory {
             case Part.Battery battery -> new SimBattery(info, battery, site.body, site.drive);
             case Part.Light light -> new SimLight(info, light, scheduler);
             case Part.Registered other -> registered(info, other, site, height, mount);
-            case Part.Own own -> throw new IllegalArgumentException("'%s' is refused before.".formatted(own.name()));
+            case Part.Own own -> throw new IllegalArgumentException("'%s' was refused before.".formatted(own.name()));
         };
     }
 

@@ -323,7 +323,7 @@ final class SimControl extends DeviceCore implements SimulationControl {
         return id.indexOf('/') < 0
                 ? Optional.empty()
                 : Optional.of(new Placement.Refused(
-                        "A slash sets devices off from robots; no robot can be called '%s'.".formatted(id)));
+                        "A slash separates robots from devices, so no robot can be called '%s'.".formatted(id)));
     }
 
     private Placement recruit(RobotSpawner.Kind kind, Pose2d mapFromBase) {

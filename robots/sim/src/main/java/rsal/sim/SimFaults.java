@@ -32,7 +32,9 @@ final class SimFaults implements FaultInjection {
 
     private static Optional<String> refusal(SimRobot broken, String device, Fault fault) {
         if (fault instanceof Fault.Gone) {
-            return device.isEmpty() ? Optional.empty() : Optional.of("Whole robots go, no devices of theirs.");
+            return device.isEmpty()
+                    ? Optional.empty()
+                    : Optional.of("Only whole robots can be gone, not their devices.");
         }
         Optional<Device> found = device(broken, device);
         if (found.isEmpty()) {
@@ -46,7 +48,7 @@ final class SimFaults implements FaultInjection {
         return switch (fault) {
             case Fault.OfSensor ofSensor -> SensorFaults.refusal(found.get().getClass(), ofSensor);
             case Fault.MotorDead _, Fault.Slip _ ->
-                found.get() == broken.drive() ? Optional.empty() : Optional.of("It is no drive.");
+                found.get() == broken.drive() ? Optional.empty() : Optional.of("It is not a drive.");
             case Fault.Gone _ -> Optional.empty();
         };
     }

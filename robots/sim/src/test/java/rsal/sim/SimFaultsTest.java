@@ -363,8 +363,8 @@ class SimFaultsTest {
         assertThat(faults.refusal("r1", bumper, new Fault.Biased(1, 0))).isPresent();
         assertThat(faults.refusal("r1", bumper, new Fault.Dead())).isEmpty();
         assertThat(faults.refusal("r1", fiducials, new Fault.Biased(1, 1))).isEmpty();
-        assertThat(faults.refusal("r1", "gripper", new Fault.Dead())).contains("It is no sensor.");
-        assertThat(faults.refusal("r1", "laser", new Fault.MotorDead(0))).contains("It is no drive.");
+        assertThat(faults.refusal("r1", "gripper", new Fault.Dead())).contains("It is not a sensor.");
+        assertThat(faults.refusal("r1", "laser", new Fault.MotorDead(0))).contains("It is not a drive.");
         assertThat(faults.refusal("r1", "nose", new Fault.Dead()))
                 .get()
                 .asString()

@@ -164,7 +164,7 @@ final class Lexer {
         /// What means nothing, taken for what was probably meant.
         private void strange(char c) {
             if (strange.add(c)) { // one each is enough in a line
-                findings.error(here(), "'%s' means nothing here.".formatted(c), maybe(c));
+                findings.error(here(), "'%s' is not allowed here.".formatted(c), maybe(c));
             }
             if (text.startsWith("//", next)) {
                 skipLine();
@@ -216,7 +216,7 @@ final class Lexer {
                 int code = text.charAt(at);
                 throw findings.fatal(
                         locationOf(at),
-                        "'%s' is no text file: there is a byte %d in it.".formatted(file, code),
+                        "'%s' is not a text file: there is a byte %d in it.".formatted(file, code),
                         "Maybe it is another file, or one to be saved as UTF-8.");
             }
         }

@@ -217,7 +217,7 @@ final class Macros {
         copies += ownChildren == 0 ? 0 : base.children().size();
         if (copies > MAX_COPIES) {
             throw findings.fatal(
-                    written.location(), "The world takes too much room with its macros put in.", "Use smaller macros.");
+                    written.location(), "The world is too large after its macros are expanded.", "Use smaller macros.");
         }
     }
 

@@ -149,7 +149,7 @@ public record WorldFile(WorldfileEntity root, Set<String> known, boolean complet
             String name = "%s[%s]".formatted(word.text(), index);
             findings.error(
                     word.location(),
-                    "A blank stands between '%s' and its index.".formatted(WorldProblems.shortened(word.text())),
+                    "There is a blank between '%s' and its index.".formatted(WorldProblems.shortened(word.text())),
                     "Maybe %s was meant?".formatted(WorldProblems.shortened(name)));
             Token opening = tokens.get(next++);
             settings.put(name, new Setting(name, word.location(), tuple(word, opening)));

@@ -28,8 +28,8 @@ class WorldErrorsTest {
                 "model ( mass )             | 9 | 'mass' has no value.",
                 "model ( color red )        | 9 | 'color' has no value.",
                 "model ( 5 )                | 9 | Here a name was expected, not '5'.",
-                "model ( mass 1, )          | 15 | ',' means nothing here.",
-                "model { mass 1 }           | 7 | '{' means nothing here.",
+                "model ( mass 1, )          | 15 | ',' is not allowed here.",
+                "model { mass 1 }           | 7 | '{' is not allowed here.",
                 "define a                   | 1 | 'define' is incomplete.",
                 "define a b ( )             | 10 | 'b' is neither a type nor a macro that is defined above.",
                 "model ( define a model ( ) ) | 9 | 'define' can't stand inside of 'model'.",
@@ -200,13 +200,13 @@ class WorldErrorsTest {
                 "model ( mass color \"red\" ) | 1:9: 'mass' has no value. | Write one before 'color'.",
                 "model ( pose 1 2 0 90 ) | 1:9: 'pose' has 4 values. | Several stand in [ ]: pose [1 2 0 90].",
                 "model ( ctrl \"a\" \"b\" ) | 1:9: 'ctrl' has 2 values. | Several stand in [ ]: ctrl [\"a\" \"b\"].",
-                "model ( size [0,4 0,4 0,2] ) | 1:16: ',' means nothing here. "
+                "model ( size [0,4 0,4 0,2] ) | 1:16: ',' is not allowed here. "
                         + "| Values are set apart by blanks, and decimals by a point.",
-                "model ( color 'red' ) | 1:15: ''' means nothing here. | Texts stand in \" \".",
-                "model ( color “red” ) | 1:15: '“' means nothing here. | Texts stand in \" \".",
-                "model ( )\\n// a wall and a door\\n | 2:1: '/' means nothing here. | Comments begin with #.",
-                "/* a wall\\n and a door */ model ( ) | 1:1: '/' means nothing here. | Comments begin with #.",
-                "model ( namе \"a\" ) | 1:12: 'е' means nothing here. "
+                "model ( color 'red' ) | 1:15: ''' is not allowed here. | Texts stand in \" \".",
+                "model ( color “red” ) | 1:15: '“' is not allowed here. | Texts stand in \" \".",
+                "model ( )\\n// a wall and a door\\n | 2:1: '/' is not allowed here. | Comments begin with #.",
+                "/* a wall\\n and a door */ model ( ) | 1:1: '/' is not allowed here. | Comments begin with #.",
+                "model ( namе \"a\" ) | 1:12: 'е' is not allowed here. "
                         + "| Names are made of a to z, A to Z, digits and _.",
                 "inlcude \"a.inc\"\\na ( ) | 1:1: 'inlcude' is not known in a world. | Maybe 'include' was meant?",
                 "Include \"a.inc\"\\nmodel ( ) | 1:1: 'Include' is not known in a world. | Maybe 'include' was meant?",
@@ -216,7 +216,7 @@ class WorldErrorsTest {
                 "include\\na ( ) | 1:1: 'include' names no file in quotes. | Write include \"FILE\" on one line.",
                 "model ( name lab/desk size [1 1 1] ) | 1:14: 'lab/desk' stands without quotes. "
                         + "| Maybe \"lab/desk\" was meant? Texts stand in \" \".",
-                "model ( block ( points 2 point [0] [0 0] point[1] [1 1] ) ) | 1:26: A blank stands between 'point' and its "
+                "model ( block ( points 2 point [0] [0 0] point[1] [1 1] ) ) | 1:26: There is a blank between 'point' and its "
                         + "index. | Maybe point[0] was meant?",
                 "Define a model ( ) | 1:1: 'Define' has no value. | Maybe 'define' was meant?",
                 "model ( name \"a )\\nmodel ( ) | 1:14: The text that begins here is not closed. "
@@ -240,17 +240,17 @@ class WorldErrorsTest {
                         .errors())
                 .extracting(problem -> problem.lines().findFirst().orElseThrow())
                 .containsExactly(
-                        "test.world:1:10: '{' means nothing here.",
-                        "test.world:1:16: ':' means nothing here.",
-                        "test.world:1:20: ',' means nothing here.",
-                        "test.world:1:27: ';' means nothing here.",
-                        "test.world:1:35: '=' means nothing here.",
-                        "test.world:1:37: ''' means nothing here.",
-                        "test.world:1:44: '}' means nothing here.",
-                        "test.world:2:7: '{' means nothing here.",
-                        "test.world:2:13: ':' means nothing here.",
-                        "test.world:2:16: ';' means nothing here.",
-                        "test.world:2:18: '}' means nothing here.");
+                        "test.world:1:10: '{' is not allowed here.",
+                        "test.world:1:16: ':' is not allowed here.",
+                        "test.world:1:20: ',' is not allowed here.",
+                        "test.world:1:27: ';' is not allowed here.",
+                        "test.world:1:35: '=' is not allowed here.",
+                        "test.world:1:37: ''' is not allowed here.",
+                        "test.world:1:44: '}' is not allowed here.",
+                        "test.world:2:7: '{' is not allowed here.",
+                        "test.world:2:13: ':' is not allowed here.",
+                        "test.world:2:16: ';' is not allowed here.",
+                        "test.world:2:18: '}' is not allowed here.");
     }
 
     @Test
@@ -289,16 +289,16 @@ class WorldErrorsTest {
     void whatIsNoTextIsToldAtOnceAndOnlyOnce() {
         assertThat(Worlds.of("model ( )\n\u0089PNG\u001a\n\u0000\u0000\u0001\u0002")
                         .errors())
-                .containsExactly("test.world:3:1: 'test.world' is no text file: there is a byte 0 in it.\n"
+                .containsExactly("test.world:3:1: 'test.world' is not a text file: there is a byte 0 in it.\n"
                         + "    Maybe it is another file, or one to be saved as UTF-8.");
         assertThat(Worlds.of("include \"a.inc\"").and("a.inc", "model\u0008").errors())
                 .hasSize(1)
                 .first()
                 .asString()
-                .startsWith("a.inc:1:6: 'a.inc' is no text file");
+                .startsWith("a.inc:1:6: 'a.inc' is not a text file");
         assertThat(Worlds.of("# made by hand\f\r\n\tmodel ( )\u001a").errors())
                 .as("blanks, and the end of a file of DOS")
-                .noneMatch(problem -> problem.contains("no text"));
+                .noneMatch(problem -> problem.contains("not a text"));
     }
 
     @Test
@@ -489,6 +489,6 @@ class WorldErrorsTest {
         assertThat(Worlds.of("model ( bitmap \"a.png\" )").and("a.png", "what").errors())
                 .singleElement()
                 .asString()
-                .startsWith("test.world:1:9: Image 'a.png' can't be read: it is no image");
+                .startsWith("test.world:1:9: Image 'a.png' can't be read: it is not an image");
     }
 }

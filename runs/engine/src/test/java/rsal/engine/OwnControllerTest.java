@@ -185,7 +185,7 @@ class OwnControllerTest {
         refuses(
                 SCENARIO.replace("controller: {type: Crawler.java, speed: 0.1}", "avoidDist: 0.4"),
                 "'controller: {type: nd, avoidDist: …}'");
-        refuses(SCENARIO.replace("Crawler.java", "Driver.java"), "Class 'Driver' is no controller.");
+        refuses(SCENARIO.replace("Crawler.java", "Driver.java"), "Class 'Driver' is not of the kind 'controller'.");
         Files.writeString(folder.resolve("Crawler.java"), CRAWLER.replace("driven.limits()", "driven.limit()"));
         refuses(SCENARIO, "Crawler.java:18:", "limit");
     }

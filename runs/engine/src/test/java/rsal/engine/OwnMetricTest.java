@@ -182,7 +182,7 @@ class OwnMetricTest {
                 "Metric 'looks' is named twice.");
         refuses(
                 SCENARIO.replace("Looks.java", "Teller.java"),
-                "Class 'Teller' is no metric.",
+                "Class 'Teller' is not of the kind 'metric'.",
                 "rsal.metric.MetricType");
         Files.writeString(folder.resolve("Looks.java"), LOOKS.replace("\"looks\", \"\"", "\"faults\", \"\""));
         refuses(SCENARIO, "Metric 'looks' offers 'faults', which every run offers already.");

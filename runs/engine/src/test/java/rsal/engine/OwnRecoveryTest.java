@@ -114,7 +114,7 @@ class OwnRecoveryTest {
         refuses("[{type: wait, duration: 0}]", "'robots.r.devices.navigator.recoveries.duration'", "from 0.1 to 600");
         refuses("[{type: wait, duraton: 3}]", "'duraton' is not known", "Maybe 'duration'");
         refuses("[3]", "'robots.r.devices.navigator.recoveries' must be a text");
-        refuses("[Driver.java]", "Class 'Driver' is no recovery.");
+        refuses("[Driver.java]", "Class 'Driver' is not of the kind 'recovery'.");
         refuses("{time: 3}", "'robots.r.devices.navigator.recoveries.type'");
     }
 

@@ -79,7 +79,7 @@ public record Factor(String argument, List<String> levels) {
             to = new BigDecimal(range.group(2));
             step = range.group(3) == null ? BigDecimal.ONE : new BigDecimal(range.group(3));
         } catch (NumberFormatException _) {
-            throw new InvalidSettings(at, "'%s' is no range of numbers, like 1:10:3.".formatted(typed), "");
+            throw new InvalidSettings(at, "'%s' is not a range of numbers, like 1:10:3.".formatted(typed), "");
         }
         if (step.signum() == 0 || to.compareTo(from) * step.signum() < 0) {
             throw new InvalidSettings(

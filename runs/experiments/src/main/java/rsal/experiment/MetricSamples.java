@@ -125,7 +125,7 @@ public final class MetricSamples {
         return metric;
     }
 
-    /// Up to when times count [s]; empty when it is no time of an event, or no run went on.
+    /// Up to when times count [s]; empty when it is not a time of an event, or no run went on.
     public OptionalDouble horizon() {
         return horizon;
     }
@@ -165,7 +165,7 @@ public final class MetricSamples {
         return sample(combination.number()).values().size();
     }
 
-    /// How many have happened by when; empty when it is no time of an event, or no run of the combination went on.
+    /// How many have happened by when; empty when it is not a time of an event, or no run of the combination went on.
     public Optional<KaplanMeier> curve(Combination combination) {
         return sample(combination.number()).curve();
     }

@@ -87,7 +87,7 @@ public final class Sweep {
                         Location.of("--set %s=%s"
                                 .formatted(factor.argument(), design.settings().get(factor.argument()))),
                         "Argument '%s' is varied, too.".formatted(factor.argument()),
-                        "Say either --set or --vary of it.");
+                        "Use either --set or --vary for it.");
             }
         }
     }
@@ -111,7 +111,7 @@ public final class Sweep {
                             + " gives the same run. Name others by --configuration."));
         } else if (plan.stops().isEmpty() && design.limit().isEmpty()) {
             errors.add(new Problem(
-                    scenario.location(), name + " has no end of its own.", "Say how long by --for SECONDS."));
+                    scenario.location(), name + " has no end of its own.", "Set a limit by --for SECONDS."));
         }
     }
 

@@ -88,7 +88,9 @@ public final class SweepFolder implements AutoCloseable {
         try {
             if (Files.exists(folder.resolve(MANIFEST))) {
                 throw new InvalidSettings(
-                        at(folder), "There is a sweep in it already.", "Go on with it by --resume, or name another.");
+                        at(folder),
+                        "There is a sweep in it already.",
+                        "Resume it by --resume, or name another folder.");
             }
             if (Files.exists(folder) && !isEmpty(folder)) {
                 throw new InvalidSettings(at(folder), "The folder is not empty.", "Name one that is, or a new one.");
@@ -109,8 +111,7 @@ public final class SweepFolder implements AutoCloseable {
     public static SweepFolder resume(Path folder, Sweep sweep, Manifest.Session session) {
         try {
             if (!Files.exists(folder.resolve(MANIFEST))) {
-                throw new InvalidSettings(
-                        at(folder), "There is no sweep to go on with.", "To begin one, leave out --resume.");
+                throw new InvalidSettings(at(folder), "There is no sweep to resume.", "To start one, remove --resume.");
             }
             Manifest before = manifest(folder);
             List<String> differences = Manifest.Subject.of(sweep).differences(before.subject());
@@ -118,7 +119,7 @@ public final class SweepFolder implements AutoCloseable {
                 throw new InvalidSettings(
                         at(folder),
                         "The sweep in it is another one. It differs in %s.".formatted(String.join("; ", differences)),
-                        "Name another folder, or go on with the same command.");
+                        "Name another folder, or resume with the same command.");
             }
             Manifest manifest = before.with(session);
             var opened = new SweepFolder(folder, sweep, manifest);
@@ -232,7 +233,7 @@ public final class SweepFolder implements AutoCloseable {
         } catch (IOException _) {
             throw new InvalidSettings(at(folder), "There is no sweep in it.", "'rsal sweep … --out DIR' makes one.");
         } catch (JacksonException | NullPointerException e) {
-            throw new InvalidSettings(at(file), "This is no manifest of a sweep: %s".formatted(firstLine(e)), "");
+            throw new InvalidSettings(at(file), "This is not a manifest of a sweep: %s".formatted(firstLine(e)), "");
         }
     }
 
@@ -287,7 +288,7 @@ public final class SweepFolder implements AutoCloseable {
         try {
             return JSON.readValue(line, Row.class);
         } catch (JacksonException | NullPointerException e) {
-            throw new InvalidSettings(at, "This is no row of a sweep: %s".formatted(firstLine(e)), "");
+            throw new InvalidSettings(at, "This is not a row of a sweep: %s".formatted(firstLine(e)), "");
         }
     }
 

@@ -94,7 +94,7 @@ public final class SweepRun implements AutoCloseable {
         if (!closed && !again.eventHash().equals(quickest.eventHash())) {
             throw new InvalidSettings(
                     Location.of("--resume"),
-                    "Run '%d' comes out otherwise now: its event hash was %s and is %s."
+                    "Run '%d' has another result now: its event hash was %s and is %s."
                             .formatted(
                                     quickest.run(),
                                     shortened(quickest.eventHash()),

@@ -160,7 +160,7 @@ class SweepRunTest {
     void aFolderWithOtherThingsIsRefused() throws IOException {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> SweepFolder.resume(out, sweep, Guards.session()))
-                .withMessageContaining("no sweep to go on with");
+                .withMessageContaining("no sweep to resume");
         Files.createDirectories(out);
         Files.writeString(out.resolve("thesis.tex"), "");
         assertThatExceptionOfType(InvalidSettings.class)

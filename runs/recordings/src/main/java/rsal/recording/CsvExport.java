@@ -128,7 +128,7 @@ public final class CsvExport {
                 try {
                     written.addAll(writeMap(Decoder.grid(new MessageFields(last.get())), folder, name));
                 } catch (IllegalArgumentException e) { // of another program's recording
-                    broken.add("The last map of '%s' is none: %s".formatted(name, e.getMessage()));
+                    broken.add("The last map of '%s' can't be read: %s".formatted(name, e.getMessage()));
                 }
             }
         }

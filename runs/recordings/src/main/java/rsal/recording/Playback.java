@@ -218,7 +218,7 @@ public final class Playback implements Closeable {
             default -> held.put(topic, publishTime, data);
         };
         if (!fits) {
-            throw new IOException("This says more at once than can be held: more than %d messages, or %d bytes."
+            throw new IOException("Too much was recorded at one time: more than %d messages, or %d bytes."
                     .formatted(NewestRecords.MOST_MESSAGES, NewestRecords.MOST_BYTES));
         }
     }

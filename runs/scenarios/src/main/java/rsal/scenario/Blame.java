@@ -41,7 +41,7 @@ final class Blame {
         if (blamed.isEmpty() || set.contains(problem.location())) {
             return problem;
         }
-        String words = "It comes of %s.".formatted(blamed);
+        String words = "It is caused by %s.".formatted(blamed);
         String remedy = problem.remedy().isEmpty() ? words : problem.remedy() + " " + words;
         return new Problem(problem.location(), problem.message(), remedy);
     }

@@ -95,9 +95,14 @@ final class Format {
     static final Parameter<Double> PLACE_RADIUS =
             Parameter.number("radius", 1, 0.01, 1e6, "m", "How far from 'at' a place reaches.");
     static final Parameter<Double> WITHIN = Parameter.number(
-            "within", 1, 0.1, 100, "m", "How far from a thing's middle a robot's may be, with no wall between.");
+            "within",
+            1,
+            0.1,
+            100,
+            "m",
+            "Maximum distance from the robot's center to the thing's center, without a wall between " + "them.");
     static final Parameter<Double> DURATION =
-            Parameter.number("duration", 0, 0, 3600, "s", "For how long a robot must be there on end.");
+            Parameter.number("duration", 0, 0, 3600, "s", "For how long a robot must be there without interruption.");
 
     /// Stands for all robots where a role could stand.
     static final String ALL = "all";
@@ -115,7 +120,7 @@ final class Format {
             "failedAgents",
             "fail",
             List.of("fail", "tolerate"),
-            "What becomes of a run in which an agent failed: a failure, or what its conditions say.");
+            "Outcome of a run in which an agent failed: a failure, or what its conditions say.");
     static final Parameter<String> MODE =
             Parameter.choice("mode", "simulated", List.of("simulated", "wall"), "Whether time is simulated or real.");
     static final Parameter<Double> SPEED =
@@ -145,7 +150,7 @@ final class Format {
                     "every", 1, 1, 1e6, "s", "Mean time until it begins at random, and again after each end.")
             .required();
     static final Parameter<Double> LONGEST = Parameter.number(
-                    "for", 1, 0.01, 1e6, "s", "How long it lasts; for good when nothing is said.")
+                    "for", 1, 0.01, 1e6, "s", "How long it lasts. Default: permanently.")
             .required();
     static final Parameter<Double> LONGEST_DELAY = Parameter.number(
                     "delay", 1, 0, 600, "s", "How much later a message comes.")

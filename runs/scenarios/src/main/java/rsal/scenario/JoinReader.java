@@ -79,7 +79,7 @@ final class JoinReader {
                     at,
                     "There is no scenario '%s'.".formatted(name),
                     Suggestion.among(name, Scenario.builtInNames())
-                            + " One of your own goes by its file's name, and lies in this one's folder.");
+                            + " Name your own scenario by its file, which must be in the folder of this one.");
         } catch (InvalidSettings e) {
             problems.addAll(e);
         }

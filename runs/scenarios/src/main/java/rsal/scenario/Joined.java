@@ -88,7 +88,7 @@ record Joined(
         if (!robots.mayLackSome() && !isMisspelt) {
             problems.add(
                     at,
-                    "Nobody says which robots here are '%s' of scenario '%s'.".formatted(role, name),
+                    "It is not given which robots here are '%s' of scenario '%s'.".formatted(role, name),
                     known.isEmpty()
                             ? "There are no robots here."
                             : "Write in a scenario file (with: {scenario: %s, robots: {%s: ROLE}}); roles here are: %s."

@@ -236,7 +236,7 @@ final class RobotReader {
         if (section.has(COUNT)) {
             section.problem(
                     COUNT,
-                    "'%s' can't be said where robots are named one by one.".formatted(section.path(COUNT)),
+                    "'%s' is not allowed where robots are listed one by one.".formatted(section.path(COUNT)),
                     "Remove it: there are as many as 'members'.");
         }
         Value.Mapping common = section.mapping().without(MEMBERS).without(COUNT);

@@ -130,7 +130,7 @@ public final class Scenario {
                     Location.of(nameOrFile),
                     "There is no scenario '%s'.".formatted(nameOrFile),
                     Suggestion.among(nameOrFile, BUILT_IN)
-                            + " A scenario of your own goes by its file, or the folder of that.");
+                            + " Name your own scenario by its file, or by the folder of the file.");
         }
         return onDisk(nameOrFile);
     }
@@ -138,7 +138,7 @@ public final class Scenario {
     private static InvalidSettings noText(Location world) {
         return new InvalidSettings(
                 world,
-                "'%s' is a world, not a scenario, whose text could be another.".formatted(world.file()),
+                "'%s' is a world, not a scenario, so its text can't be edited.".formatted(world.file()),
                 "Maybe write a scenario that takes place there (world: {file: …}).");
     }
 
@@ -231,7 +231,7 @@ public final class Scenario {
         var seeds = new Seeds((Long) Format.SEED.fallback().orElseThrow());
         Scene scene = Catalog.installed()
                 .formatOf(path, FileSource.disk())
-                .orElseThrow(() -> new IllegalArgumentException("'%s' is no world.".formatted(path)))
+                .orElseThrow(() -> new IllegalArgumentException("'%s' is not a world.".formatted(path)))
                 .read(path, FileSource.disk(), seeds.of("world"));
         return scene.isEmpty()
                 ? scene.serving(

@@ -632,7 +632,7 @@ public final class ScenarioSchema {
                     case TEXT, ROBOTS, PLACES, POINTS -> "string";
                     case FLAG -> "boolean";
                     case TEXTS -> "object";
-                    case PLUGIN, PLUGINS -> throw new IllegalArgumentException("It has no one type.");
+                    case PLUGIN, PLUGINS -> throw new IllegalArgumentException("It has several types.");
                 });
         if (Double.isFinite(parameter.min())) {
             value.put("minimum", parameter.min());

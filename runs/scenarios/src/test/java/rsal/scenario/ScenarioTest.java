@@ -552,7 +552,7 @@ class ScenarioTest {
         String host = TWO_ROLES.replaceAll("with: \\{scenario.*", "with: own.yaml:without");
         write("own.yaml", own.replaceAll("without: .*", "without: {with: own.yaml}"));
         assertThat(errors(host.replaceAll("first: .*\n.*without: .*", "first: {}")))
-                .contains("good.yaml:11:7: Nobody says which robots here are 'thief' of scenario 'own:without'.");
+                .contains("good.yaml:11:7: It is not given which robots here are 'thief' of scenario 'own:without'.");
         String one = host.replaceAll("  thief: .*\n", "").replaceAll("first: .*\n.*without: .*", "first: {}");
         assertThat(plan(one, RunOptions.NONE)
                         .agents()
@@ -597,7 +597,7 @@ class ScenarioTest {
                 List.of(
                         with,
                         "with: \"distribution:found\"",
-                        "good.yaml:11:7: Nobody says which robots here are 'robot'",
+                        "good.yaml:11:7: It is not given which robots here are 'robot'",
                         "roles here are: guard, thief"),
                 List.of("often}", "oftn}", "good.yaml:11:62: There is no argument 'oftn'.", "'often'"),
                 List.of(
@@ -733,12 +733,12 @@ class ScenarioTest {
         assertThatThrownBy(() ->
                         scenario(invalid).plan(RunOptions.NONE.withArguments(Map.of("start", "900", "hunters", "3"))))
                 .hasMessageContaining("good.yaml:13:11: Robot 'prey'")
-                .hasMessageContaining("It comes of --set start=900.")
+                .hasMessageContaining("It is caused by --set start=900.")
                 .hasMessageContaining("'huntr'")
                 .message()
                 .containsOnlyOnce("--set");
         assertThatThrownBy(() -> scenario(GOOD).plan(RunOptions.NONE.withArguments(Map.of("hunters", "many"))))
-                .hasMessageNotContaining("It comes of");
+                .hasMessageNotContaining("It is caused by");
     }
 
     @Test

@@ -58,7 +58,7 @@ public final class JadexHunter implements AgentType {
         IInternalAccess body = IInternalExecutionFeature.LOCAL.get();
         if (body == null) {
             throw new IllegalStateException(
-                    "Agent '%s' thinks by Jadex and needs its host. Maybe run it by '--mas jadex --clock wall'."
+                    "Agent '%s' uses Jadex and needs its platform. Maybe run it by '--mas jadex --clock wall'."
                             .formatted(self.name()));
         }
         return body;

@@ -34,7 +34,7 @@ class JadexHunterTest extends RobotBench {
     @Test
     void saysWhereItBelongsWhenItIsOnAnotherHost() {
         assertThat(failureOf(new JadexHunter()))
-                .isEqualTo("Agent 'follow-1' thinks by Jadex and needs its host."
+                .isEqualTo("Agent 'follow-1' uses Jadex and needs its platform."
                         + " Maybe run it by '--mas jadex --clock wall'.");
     }
 

@@ -11,7 +11,7 @@ import rsal.data.Twist2d;
 /// Turns in place until it has looked in all directions: to the left, and where that is held up, as by a wall beside
 /// the robot's tail, back and to the right. It is done, too, once both are.
 final class LookAround implements Behavior {
-    private static final double STILL = 1e-3; // rad; less is no turn
+    private static final double STILL = 1e-3; // rad; less is not a turn
 
     private final double rate;
     private final double enough;

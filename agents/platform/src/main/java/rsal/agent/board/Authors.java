@@ -32,14 +32,14 @@ final class Authors {
         }
         Author author = authors.get(note.author());
         if (author == null) {
-            return Optional.of("Nobody of that name is known.");
+            return Optional.of("No agent has this name.");
         }
         if (note.hasFaded(now)) {
             author.erase(note.key().name());
             return Optional.empty();
         }
         if (author.board.size() >= mostNotes && author.read(note.key().name()).isEmpty()) {
-            return Optional.of("'%s' has %d notes here already, which is all that one may have."
+            return Optional.of("'%s' has %d notes here already, which is the maximum for one agent."
                     .formatted(note.author(), mostNotes));
         }
         author.board.write(stored(note.topic().name()), note.name(), note, Duration.between(now, note.fades()));
@@ -82,7 +82,8 @@ final class Authors {
             authors.values().removeIf(author -> author.board.size() == 0);
         }
         if (authors.size() >= mostAuthors) {
-            throw new IllegalStateException("%d agents have notes here, and no more may.".formatted(authors.size()));
+            throw new IllegalStateException(
+                    "%d agents have notes here, which is the maximum.".formatted(authors.size()));
         }
     }
 

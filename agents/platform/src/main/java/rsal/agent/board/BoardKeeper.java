@@ -75,7 +75,8 @@ public final class BoardKeeper {
                         () -> authors.put(note)
                                 .ifPresent(why -> refused.put(note.key().name(), why)));
             } else {
-                refused.put(note.key().name(), "'%s' writes in the name of '%s'.".formatted(author, note.author()));
+                refused.put(
+                        note.key().name(), "'%s' writes notes in the name of '%s'.".formatted(author, note.author()));
             }
         }
         return refused;
@@ -173,8 +174,9 @@ public final class BoardKeeper {
 
         public Limits {
             if (authors < 1 || notes < 1 || watches < 0 || watchesEach < 0) {
-                throw new IllegalArgumentException("A board needs room, not (%d authors, %d notes, %d and %d watches)."
-                        .formatted(authors, notes, watches, watchesEach));
+                throw new IllegalArgumentException(
+                        "A board needs positive limits, not (%d authors, %d notes, %d and %d subscriptions)."
+                                .formatted(authors, notes, watches, watchesEach));
             }
         }
     }

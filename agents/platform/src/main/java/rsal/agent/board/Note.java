@@ -35,18 +35,18 @@ public record Note<M>(
         int words = String.valueOf(content).length();
         if (words > MOST_WORDS) {
             throw new IllegalArgumentException(
-                    "Note '%s/%s' has %d characters; %d may be. Maybe share where it is to be had."
+                    "Note '%s/%s' has %d characters; the maximum is %d. Maybe share where others can get it."
                             .formatted(topic.name(), name, words, MOST_WORDS));
         }
         mapFromPlace.ifPresent(place -> {
             if (!Double.isFinite(place.x()) || !Double.isFinite(place.y())) {
                 throw new IllegalArgumentException(
-                        "Note '%s/%s' can't be at '%s'.".formatted(topic.name(), name, place));
+                        "Note '%s/%s' can't have the position '%s'.".formatted(topic.name(), name, place));
             }
         });
         if (!lifetime.isPositive() || lifetime.compareTo(LONGEST) > 0) {
-            throw new IllegalArgumentException(
-                    "Note '%s/%s' can't live for '%s', only for up to a year.".formatted(topic.name(), name, lifetime));
+            throw new IllegalArgumentException("Note '%s/%s' can't be kept for '%s'; the maximum is a year."
+                    .formatted(topic.name(), name, lifetime));
         }
     }
 

@@ -37,7 +37,7 @@ public record Query<M>(
                     .formatted(Note.LONGEST_NAME, name, author));
         }
         if (most < 1 || most > MOST) {
-            throw new IllegalArgumentException("One may ask for 1 to %d notes, not '%d'.".formatted(MOST, most));
+            throw new IllegalArgumentException("A query can ask for 1 to %d notes, not '%d'.".formatted(MOST, most));
         }
     }
 

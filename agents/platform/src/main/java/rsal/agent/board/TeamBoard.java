@@ -87,7 +87,7 @@ public final class TeamBoard {
         own.values().removeIf(old -> old.hasFaded(now()));
         boolean isFull = own.size() >= MOST_OWN && !own.containsKey(name);
         if (isFull || !mayTell(name)) {
-            refuse(name, "'%s' has more notes than the %d that one may have.".formatted(self.name(), MOST_OWN));
+            refuse(name, "'%s' has more notes than the maximum of %d for one agent.".formatted(self.name(), MOST_OWN));
             return;
         }
         own.put(name, note);
@@ -105,7 +105,9 @@ public final class TeamBoard {
             changed.add(known);
             send();
         } else {
-            refuse(known, "So much is untold that it stays on board '%s' until it fades.".formatted(board));
+            refuse(
+                    known,
+                    "Too many removals wait for board '%s'. Its notes stay there until they expire.".formatted(board));
         }
     }
 

@@ -154,7 +154,7 @@ final class AgentRuntime implements AgentContext {
     private void onLane(String call) {
         if (!turn.isHere()) {
             var misuse = new IllegalStateException(
-                    "Agent '%s' called '%s' on thread '%s', not on its lane, so equal runs would differ. Maybe hand it over: self.scheduler().execute(() -> ...)."
+                    "Agent '%s' called '%s' on thread '%s' instead of its own, so runs with the same seed would differ. Maybe call it by self.scheduler().execute(() -> ...)."
                             .formatted(name(), call, Thread.currentThread().getName()));
             hostLane.execute(() -> act(misuse, thrown -> {
                 throw thrown;
@@ -186,7 +186,7 @@ final class AgentRuntime implements AgentContext {
         try {
             subscription.cancel();
         } catch (RuntimeException e) {
-            LOG.log(Level.ERROR, () -> "Agent '%s' could not let go of something.".formatted(name()), e);
+            LOG.log(Level.ERROR, () -> "Agent '%s' could not release something.".formatted(name()), e);
         }
     }
 
@@ -194,7 +194,7 @@ final class AgentRuntime implements AgentContext {
         passOn();
         if (++setOff > LIMIT) {
             throw new IllegalStateException(
-                    "Agent '%s' set off more than %d messages, answers to them and tasks within %d ms, which would stop the run."
+                    "Agent '%s' caused more than %d messages, replies and tasks within %d ms, which would stop the run."
                             .formatted(name(), LIMIT, WINDOW.toMillis()));
         }
     }
@@ -434,7 +434,7 @@ final class AgentRuntime implements AgentContext {
             return Optional.of(type.cast(view.get()));
         } catch (RuntimeException | StackOverflowError | AssertionError | LinkageError e) {
             throw new IllegalArgumentException(
-                    "Agent '%s' can't be looked into: %s".formatted(name(), e.getMessage()), e);
+                    "Agent '%s' can't be inspected: %s".formatted(name(), e.getMessage()), e);
         } finally {
             if (begins) {
                 turn.end();

@@ -34,7 +34,7 @@ public final class FailureDetector {
     public FailureDetector(AgentContext self, Duration round, Duration timeout, Consumer<? super Change> listener) {
         if (!round.isPositive() || timeout.compareTo(round) <= 0) {
             throw new IllegalArgumentException(
-                    "A roll needs 0 < round < timeout, not '%s' and '%s'.".formatted(round, timeout));
+                    "A failure detector needs 0 < round < timeout, not '%s' and '%s'.".formatted(round, timeout));
         }
         this.self = self;
         this.round = round;

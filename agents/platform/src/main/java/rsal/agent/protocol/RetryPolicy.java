@@ -14,7 +14,7 @@ public record RetryPolicy(Duration repeat, Duration silence) {
     public RetryPolicy {
         if (!repeat.isPositive() || silence.compareTo(repeat) < 0) {
             throw new IllegalArgumentException(
-                    "Patience needs 0 < repeat <= silence, not '%s' and '%s'.".formatted(repeat, silence));
+                    "A retry policy needs 0 < repeat <= silence, not '%s' and '%s'.".formatted(repeat, silence));
         }
     }
 }

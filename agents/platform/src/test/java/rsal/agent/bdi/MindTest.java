@@ -313,7 +313,7 @@ class MindTest {
         tired[0] = true;
         assertThatThrownBy(() -> run.look("amy", Mind.View.class))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("'amy' can't be looked into");
+                .hasMessageContaining("'amy' can't be inspected");
         assertThat(run.view("amy").status()).isEqualTo(Status.RUNNING);
     }
 

@@ -370,9 +370,10 @@ class TeamBoardTest {
                 .hasSize(1_400)
                 .contains(
                         new BoardEvent.Refused(
-                                "cans/can-999", "'eve' has 100 notes here already, which is all that one may have."),
+                                "cans/can-999",
+                                "'eve' has 100 notes here already, which is the maximum for one agent."),
                         new BoardEvent.Refused(
-                                "cans/can-1499", "'eve' has more notes than the 1000 that one may have."));
+                                "cans/can-1499", "'eve' has more notes than the maximum of 1000 for one agent."));
         eve.board().erase(CANS, "can-0");
         eve.write("can-new", "red");
         run.advance(1);
@@ -414,7 +415,7 @@ class TeamBoardTest {
         run.advance(1);
         assertThat(zoe.events)
                 .contains(
-                        new BoardEvent.Refused("cans/can", "2 agents have notes here, and no more may."),
+                        new BoardEvent.Refused("cans/can", "2 agents have notes here, which is the maximum."),
                         new BoardEvent.Refused(
                                 "watch cans, at most 100", "2 watch here, 2 of them (zoe); no more than 3 and 2 may."));
         run.advance(5);

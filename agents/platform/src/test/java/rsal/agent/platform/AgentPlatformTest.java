@@ -456,7 +456,7 @@ class AgentPlatformTest {
         assertThat(run.view("zoe").status()).isEqualTo(Status.RUNNING);
         for (String name : List.of("bob", "eve")) {
             assertThat(run.view(name).status()).isEqualTo(Status.FAILED);
-            assertThat(run.view(name).state()).contains("'%s'".formatted(name), "answers");
+            assertThat(run.view(name).state()).contains("'%s'".formatted(name), "replies");
         }
     }
 

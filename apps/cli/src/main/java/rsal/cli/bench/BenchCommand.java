@@ -115,7 +115,7 @@ public final class BenchCommand extends Subcommand {
         progress.end();
         failures.forEach(err()::println);
         if (results.isEmpty() && failures.isEmpty()) {
-            throw new Unreachable("Nothing was measured, for want of data.");
+            throw new Unreachable("Nothing was measured, since the data is missing.");
         }
         var machine = machine();
         report.ifPresent(written -> written.write(chosen.name(), results, plots, machine));
@@ -131,7 +131,7 @@ public final class BenchCommand extends Subcommand {
             throw new InvalidSettings(
                     Location.of(data.isPresent() ? "--data" : "RSAL_DATA"),
                     "There is no folder '%s'.".formatted(folder),
-                    "It is to have the folders logs, maps and barn.");
+                    "It must have the folders logs, maps and barn.");
         });
         return named;
     }

@@ -53,7 +53,7 @@ record Exercise(Path folder, String scenario, String agent) {
                 || !String.valueOf(Path.of(wanted).getFileName()).equals(wanted)) {
             throw new InvalidSettings(
                     Location.of(wanted),
-                    "This is no file of an agent.",
+                    "This is not the file of an agent.",
                     "Name it without a folder, such as Hunter.java.");
         }
         return new Exercise(Objects.requireNonNull(file.getParent()), String.valueOf(file.getFileName()), wanted);
@@ -68,7 +68,7 @@ record Exercise(Path folder, String scenario, String agent) {
                     named.isEmpty()
                             ? "This scenario names no agent in a file."
                             : "This scenario names several agents in files: %s.".formatted(String.join(", ", named)),
-                    "Say by --agent FILE which one students hand in.");
+                    "Name the one that students hand in by --agent FILE.");
         }
         return named.iterator().next();
     }

@@ -85,7 +85,7 @@ public final class TestAgentCommand extends Subcommand {
         out().print(table);
         out().println("%d of %d runs ended in success.".formatted(trial.successes(), results.size()));
         if (trial.successes() < results.size()) {
-            out().println("What they told: %s".formatted(logs));
+            out().println("Their reports: %s".formatted(logs));
         }
         out().flush();
     }

@@ -85,7 +85,7 @@ public final class ConvertCommand extends Subcommand {
         return new InvalidSettings(
                 Location.of(file),
                 out == null
-                        ? "This is no file that can be converted."
+                        ? "This is not a file that can be converted."
                         : "This can't be converted to '%s'.".formatted(out),
                 ServiceLoader.load(Conversion.class).stream()
                         .map(each -> each.get().description())

@@ -96,7 +96,7 @@ final class ConvertedFiles {
 
     static InvalidSettings isThere(Path path) {
         return new InvalidSettings(
-                Location.of(path.toString()), "This file is there already.", "Say --force to overwrite it.");
+                Location.of(path.toString()), "This file is there already.", "Use --force to overwrite it.");
     }
 
     private static void deleteQuietly(Path part) {

@@ -269,8 +269,7 @@ public final class LocalizeCommand extends Subcommand {
                     Location.of(map.map == null ? file : map.map),
                     "The map has %.0f m² of free floor; a robot that may be anywhere is searched for on %.0f m² at most."
                             .formatted(localizationMap.freeFloor(), LocalizationMap.MOST_SEARCHED),
-                    "Say where it starts (--pose), or look whether cells of %s m are right."
-                            .formatted(grid.resolution()));
+                    "Give its start (--pose), or check whether cells of %s m are right.".formatted(grid.resolution()));
         }
     }
 
@@ -301,7 +300,7 @@ public final class LocalizeCommand extends Subcommand {
         }
         return drive.stops().getFirst().mapFromBase().or(() -> {
             throw new InvalidSettings(
-                    Location.of(file), "The log has no pose for its first scan.", "Say --pose or --global.");
+                    Location.of(file), "The log has no pose for its first scan.", "Use --pose or --global.");
         });
     }
 
@@ -314,7 +313,7 @@ public final class LocalizeCommand extends Subcommand {
         var half = drive.only(i -> i % 2 == 0).posed();
         if (half.isEmpty()) {
             throw new InvalidSettings(
-                    Location.of(file), "The log has no poses for its scans.", "Say --map or --reference.");
+                    Location.of(file), "The log has no poses for its scans.", "Use --map or --reference.");
         }
         OccupancyGrid drawn;
         try {

@@ -193,7 +193,7 @@ final class LogOptions {
                 log.scans().isEmpty()
                         ? "There is no scan in it%s.".formatted(among(log))
                         : "There is no scan in it whose %s is known%s.".formatted(what, among(log)),
-                "In CARMEN's logs FLASER and ROBOTLASER1 tell it; RAWLASER1 needs ODOM before it.");
+                "In logs of CARMEN, FLASER and ROBOTLASER1 contain it; RAWLASER1 needs ODOM before it.");
     }
 
     private static String among(RobotLog log) {
@@ -251,9 +251,9 @@ final class LogOptions {
     static void printOddities(PrintWriter err, String file, RobotLog log) {
         log.oneTime()
                 .ifPresent(time -> err.println(
-                        ("All %d scans of '%s' have one time (%.3f s): what comes of it has no times either, and ODOM can't tell"
-                                        + " where the robot was at each. If that matters, write when each was taken [s] on"
-                                        + " both sides of the host's name.")
+                        ("All %d scans of '%s' have one time (%.3f s), so the result has no times, and poses "
+                                        + "can't be interpolated from ODOM. If that matters, write the time of each scan [s] "
+                                        + "before and after the host name.")
                                 .formatted(log.scans().size(), file, time.toEpochMilli() / 1e3)));
         log.degrees()
                 .ifPresent(most -> err.println(
@@ -262,7 +262,7 @@ final class LogOptions {
                                 .formatted(file, most)));
         List<Leap> leaps = RecordedDrive.of(log).leaps();
         if (!leaps.isEmpty()) {
-            err.println("The odometry of '%s' leaps %s. The robot is taken to have stood still meanwhile."
+            err.println("The odometry of '%s' jumps %s. RSAL assumes that the robot stood still meanwhile."
                     .formatted(file, leaps.size() == 1 ? "once" : leaps.size() + " times"));
             leaps.stream()
                     .limit(3)
@@ -280,11 +280,10 @@ final class LogOptions {
     /// What of a log was read otherwise than it stands there.
     static void printWandering(PrintWriter err, String file, RobotLog log) {
         log.wandering()
-                .ifPresent(by ->
-                        err.println(("'%s' tells poses of the laser that move about on the robot, by up to (%.2f m)"
-                                        + " and (%.0f°). They are taken for corrected poses of the robot, as many logs have them,"
-                                        + " and the laser for mounted in its middle. If it is not, have all scans tell the same"
-                                        + " place on the robot.")
+                .ifPresent(by -> err.println(
+                        ("In '%s', the laser moves on the robot, by up to (%.2f m) and (%.0f°). So its poses are "
+                                        + "used as corrected poses of the robot, as in many logs, with the laser in its middle. If "
+                                        + "the laser is elsewhere, give all scans the same mount.")
                                 .formatted(file, by.meters(), Math.toDegrees(by.radians()))));
     }
 

@@ -16,7 +16,7 @@ import tools.jackson.databind.JsonNode;
 public final class AgentCommand extends Subcommand {
     @Override
     protected int run() {
-        throw new ParameterException(spec.commandLine(), "Say what about them: 'rsal agent mind NAME'.");
+        throw new ParameterException(spec.commandLine(), "Name what to show: 'rsal agent mind NAME'.");
     }
 
     /// `rsal agent mind`

@@ -32,7 +32,7 @@ record ChosenPage(int port, Optional<String> note) {
         String ports = ours.stream().map(String::valueOf).collect(Collectors.joining(", "));
         if (!ours.contains(PageRuns.DEFAULT_PORT)) {
             throw new IllegalArgumentException(
-                    "There are several runs with a page on this machine, at the ports %s. Say which: --port %d."
+                    "There are several runs with a page on this machine, at the ports %s. Choose one: --port %d."
                             .formatted(ports, ours.getFirst()));
         }
         return new ChosenPage(

@@ -86,8 +86,7 @@ public final class DoctorCommand extends Subcommand {
         if (one == null) {
             throw new ParameterException(
                     spec.commandLine(),
-                    "There is nothing called '%s' to look at. %s"
-                            .formatted(what, Suggestion.among(what, all.keySet())));
+                    "There is no check '%s'. %s".formatted(what, Suggestion.among(what, all.keySet())));
         }
         try {
             return one.look(Arguments.parse(one.parameters(), set));

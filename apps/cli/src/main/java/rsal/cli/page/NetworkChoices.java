@@ -69,8 +69,7 @@ final class NetworkChoices {
     Optional<Listening> listening(CommandLine line) {
         if (listen == null) {
             if (certificate != null || key != null || tokens != null || !origins.isEmpty()) {
-                throw new ParameterException(
-                        line, "--certificate, --key, --token-file and --origin are for --listen. Say that, too.");
+                throw new ParameterException(line, "--certificate, --key, --token-file and --origin need --listen.");
             }
             return Optional.empty();
         }
@@ -89,7 +88,8 @@ final class NetworkChoices {
         int port = hasPort ? port(line, typed.substring(colon + 1)) : PORT;
         if (host.isEmpty() || port == 0) {
             throw new ParameterException(
-                    line, "'%s' is no address to listen at, like 192.168.1.5 or 0.0.0.0:%d.".formatted(typed, PORT));
+                    line,
+                    "'%s' is not an address to listen at, like 192.168.1.5 or 0.0.0.0:%d.".formatted(typed, PORT));
         }
         try {
             return new InetSocketAddress(InetAddress.getByName(host), port);
@@ -110,7 +110,8 @@ final class NetworkChoices {
         for (String origin : origins) {
             if (!origin.matches("https?://[^/]+")) {
                 throw new ParameterException(
-                        line, "'%s' is no origin, like https://robots.example.org, without a path.".formatted(origin));
+                        line,
+                        "'%s' is not an origin, like https://robots.example.org, without a path.".formatted(origin));
             }
         }
         return origins;
@@ -155,7 +156,7 @@ final class NetworkChoices {
                         || tokens.put(words[1], role(words[0], file, i + 1)) != null) {
                     throw new InvalidSettings(
                             new Location(file.toString(), i + 1, 1),
-                            "This is no role and a token of its own with at least %d characters: letters, digits and -._~+/=."
+                            "A line must have a role, and a token of at least %d characters that no other line has: letters, digits and -._~+/=."
                                     .formatted(Listening.SHORTEST_TOKEN), // never the token itself
                             "Write, for instance: watch %s".formatted("x".repeat(Listening.SHORTEST_TOKEN)));
                 }

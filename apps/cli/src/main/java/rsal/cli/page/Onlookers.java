@@ -21,7 +21,7 @@ import rsal.time.AllowedToReadWallClock;
 
 /// Starts runs for all who look on: recordings, Foxglove, a log, all of them or nobody. All methods may be called from
 /// any thread.
-@AllowedToReadWallClock("What is recorded says when it was started.")
+@AllowedToReadWallClock("Recordings contain the time of the start.")
 public final class Onlookers implements AutoCloseable {
     private final RunRecorder recorder;
     private final RobotRecordings robots;

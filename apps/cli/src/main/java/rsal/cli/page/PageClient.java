@@ -69,11 +69,11 @@ record PageClient(int port, Duration patience) {
                             .formatted(address()));
         } catch (JacksonException e) {
             throw new Unreachable(
-                    "What answers at '%s' is no page of a run. Maybe that is at another port (--port P): 'rsal run' prints where."
+                    "What answers at '%s' is not a page of a run. Maybe that is at another port (--port P): 'rsal run' prints where."
                             .formatted(address()));
         } catch (IOException e) {
             throw new Unreachable(
-                    "The page at '%s' hung up before it answered; maybe its program was ended just then. %s"
+                    "The page at '%s' closed the connection before it answered; maybe its program just ended. %s"
                             .formatted(address(), remedy));
         }
     }

@@ -106,8 +106,8 @@ public abstract class PageCommand extends Subcommand {
     private HttpRequest.Builder asOperator(String path) {
         PageClient page = page();
         PageKey key = PageKey.of(page.port())
-                .orElseThrow(() ->
-                        new Unreachable("There is no page of yours at '%s'. 'rsal run' prints where; say --port P."
+                .orElseThrow(() -> new Unreachable(
+                        "There is no page of yours at '%s'. 'rsal run' prints its address; use --port P."
                                 .formatted(page.address())));
         return page.at(path)
                 .header("Authorization", "Bearer " + key.token())

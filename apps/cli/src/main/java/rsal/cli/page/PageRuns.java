@@ -145,7 +145,7 @@ public final class PageRuns {
 
     /// Else commands would reach the run that has the usual port.
     private static String otherPort(int port) {
-        return "rsal: Port %d is in use, maybe by another run. For this run say --port %d, as in 'rsal status --port %d'."
+        return "rsal: Port %d is in use, maybe by another run. For this run use --port %d, as in 'rsal status --port %d'."
                 .formatted(DEFAULT_PORT, port, port);
     }
 
@@ -192,7 +192,7 @@ public final class PageRuns {
                                     endpoints.listening(),
                                     endpoints.framed())));
         } catch (BindException e) {
-            throw new Unreachable("'%s' can't be listened at: %s. Is it in use, or of another machine?"
+            throw new Unreachable("RSAL can't listen at '%s': %s. Is the address in use, or of another machine?"
                     .formatted(
                             endpoints.listening().map(Listening::address).orElseThrow(),
                             String.valueOf(e.getMessage())));
@@ -206,9 +206,9 @@ public final class PageRuns {
 
     /// @param port null for the usual one, or any when that is in use
     public static <S> S serve(@Nullable Integer port, Starter<S> server) throws IOException {
-        Path page = page().orElseThrow(
-                        () -> new Unreachable(
-                                "The page is not built. Start with ./rsal, which builds it; or do without: run --headless, replay --verify, bridge without --page."));
+        Path page = page().orElseThrow(() ->
+                new Unreachable("The page is not built. Start with ./rsal, which builds it; or run without a page: run "
+                        + "--headless, replay --verify, bridge without --page."));
         try {
             if (port != null) {
                 return server.at(port, page);

@@ -67,7 +67,7 @@ final class PemFiles {
             // told below
         }
         throw new InvalidSettings(
-                Location.of(file.toString()), "This is no certificate in PEM.", "'rsal certificate' makes one.");
+                Location.of(file.toString()), "This is not a certificate in PEM.", "'rsal certificate' makes one.");
     }
 
     private static PrivateKey key(Path file) {
@@ -83,7 +83,7 @@ final class PemFiles {
             }
         }
         throw new InvalidSettings(
-                Location.of(file.toString()), "This is no unencrypted private key in PEM (PKCS #8).", CONVERT);
+                Location.of(file.toString()), "This is not an unencrypted private key in PEM (PKCS #8).", CONVERT);
     }
 
     /// Whether what one signs the other confirms.

@@ -30,7 +30,7 @@ final class RecordingPaths {
 
     /// @param why the recording is not whole; empty when it is
     static void report(PrintWriter err, Path path, Optional<IOException> why) {
-        err.println(why.map(e -> "rsal: The recording '%s' is not whole: %s. Maybe the disk is full."
+        err.println(why.map(e -> "rsal: The recording '%s' is incomplete: %s. Maybe the disk is full."
                         .formatted(path, e.getMessage()))
                 .orElse("Recorded to " + path));
     }

@@ -38,7 +38,7 @@ final class ShownMind {
         if (!hasMind) {
             text.append(
                     agent.path("status").asString("").equals("RUNNING")
-                            ? "'%s' shows no goals, only what it does and believes.%n".formatted(name)
+                            ? "'%s' shows no goals, only its state and beliefs.%n".formatted(name)
                             : "'%s' does not run.%n".formatted(name));
         }
         return text.toString();

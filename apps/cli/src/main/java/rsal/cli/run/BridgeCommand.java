@@ -152,7 +152,7 @@ public final class BridgeCommand extends Subcommand {
                 double seconds = CommandWords.orNaN(typed);
                 if (!(seconds >= 0.2 && seconds <= 3600)) {
                     throw new TypeConversionException(
-                            "'%s' is no number of seconds from 0.2 to 3600, nor 'off'.".formatted(typed));
+                            "'%s' is not a number of seconds from 0.2 to 3600, nor 'off'.".formatted(typed));
                 }
                 return new Timeout(Optional.of(Duration.ofMillis(Math.round(1000 * seconds))));
             }
@@ -289,7 +289,7 @@ public final class BridgeCommand extends Subcommand {
         } catch (UnknownHostException e) {
             throw new ParameterException(
                     spec.commandLine(),
-                    "Invalid value for option '--listen': '%s' is no address of a machine, like 0.0.0.0."
+                    "Invalid value for option '--listen': '%s' is not an address of a machine, like 0.0.0.0."
                             .formatted(listen));
         }
     }

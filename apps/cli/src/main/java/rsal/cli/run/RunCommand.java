@@ -125,12 +125,12 @@ public final class RunCommand extends Subcommand {
         printNotes(plan);
         if (headless && plan.scenario().isWorld() && plan.stops().isEmpty() && limit == null) {
             throw new ParameterException(
-                    spec.commandLine(), "A world has no end of its own: without a page, say --for SECONDS.");
+                    spec.commandLine(), "A world has no stop condition: without a page, add --for SECONDS.");
         }
         if (headless && plan.startsDisarmed() && !arm) {
             throw new ParameterException(
                     spec.commandLine(),
-                    "Its robots stand until somebody switches their motors on: without a page, say --arm.");
+                    "Its robots stand until somebody switches their motors on: without a page, add --arm.");
         }
         Optional<SavedMaps> maps = Optional.ofNullable(saveMaps).map(folder -> SavedMaps.to(folder, plan, force));
         PageRuns.Endpoints endpoints = page.endpoints(spec.commandLine());

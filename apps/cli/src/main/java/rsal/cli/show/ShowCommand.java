@@ -246,7 +246,7 @@ public final class ShowCommand extends Subcommand {
         }
     }
 
-    /// A mistyped name of something else is no file that is missing.
+    /// A mistyped name of something else is not a file that is missing.
     private static void checkName(String typed, List<InstalledKind> others) {
         List<String> scenarios = Scenario.builtInNames();
         if (scenarios.contains(typed)) {
@@ -260,9 +260,8 @@ public final class ShowCommand extends Subcommand {
                     Location.of(typed),
                     "There is nothing called '%s'.".formatted(typed),
                     closest.map("Maybe '%s' was meant?"::formatted)
-                            .orElse(
-                                    "`rsal list` says what there is. Your own scenarios, worlds, maps and recordings go by"
-                                            + " their files."));
+                            .orElse("'rsal list' shows what is installed. Name your own scenarios, worlds, maps and "
+                                    + "recordings by their files."));
         }
     }
 

@@ -44,7 +44,7 @@ public final class PrepareCommand extends Subcommand {
                     : "Your cache folder can't be written. RSAL_CACHE=FOLDER names another folder.";
         }
         if (docs == null) {
-            return "This is no unpacked release: a clone makes its cache when it builds.";
+            return "This is not an unpacked release: a clone makes its cache when it builds.";
         }
         String chosen = System.getenv("RSAL_CACHE");
         if ("off".equals(chosen)) {

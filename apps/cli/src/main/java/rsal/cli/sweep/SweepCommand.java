@@ -128,11 +128,11 @@ public final class SweepCommand extends Subcommand {
     protected int run() throws Exception {
         check(jobs >= 1, "--jobs must be at least 1, not '%d'.".formatted(jobs));
         check(repeat == null || repeat >= 1, "--repeat must be at least 1, not '%d'.".formatted(repeat));
-        check(repeat == null || seeds == null, "Say either --repeat or --seeds.");
+        check(repeat == null || seeds == null, "Use either --repeat or --seeds.");
         ScenarioReference reference = ScenarioReference.parse(scenario);
         check(
                 reference.configuration().isEmpty() || configurations.isEmpty(),
-                "Say either SCENARIO:CONFIGURATION or --configuration.");
+                "Use either SCENARIO:CONFIGURATION or --configuration.");
         Scenario loaded = reference.load();
         Sweep sweep = Sweep.of(loaded, design(loaded, reference.configuration()));
         printNotes(sweep);
@@ -199,7 +199,7 @@ public final class SweepCommand extends Subcommand {
     }
 
     private static Unreachable unwritable(Path folder, UncheckedIOException e) {
-        return new Unreachable("The sweep can't be written to '%s': %s. Rows that are there stay; go on by --resume."
+        return new Unreachable("The sweep can't be written to '%s': %s. Existing rows are kept; continue by --resume."
                 .formatted(folder, e.getMessage()));
     }
 

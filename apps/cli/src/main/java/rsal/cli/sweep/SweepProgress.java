@@ -42,8 +42,8 @@ final class SweepProgress {
         reported = began;
         err.println(
                 before == 0
-                        ? "%s, %d at once; Ctrl-C breaks it off.".formatted(Counted.of(wanted, "run"), jobs)
-                        : "%s, of which %d are there, %d at once; Ctrl-C breaks it off."
+                        ? "%s, %d at once; Ctrl-C interrupts.".formatted(Counted.of(wanted, "run"), jobs)
+                        : "%s, of which %d are done, %d at once; Ctrl-C interrupts."
                                 .formatted(Counted.of(wanted, "run"), before, jobs));
         draw();
     }
@@ -78,7 +78,7 @@ final class SweepProgress {
             return;
         }
         clear();
-        err.println("Broken off: %d of %d runs are in %s. Go on by the same command with --resume."
+        err.println("Interrupted: %d of %d runs are in %s. Continue by the same command with --resume."
                 .formatted(ended, wanted, folder));
         err.flush();
     }

@@ -55,7 +55,7 @@ public final class CommandWords {
         }
     }
 
-    /// NaN when it is no number, for those who say in their own words what it should be.
+    /// NaN when it is not a number, for those who say in their own words what it should be.
     public static double orNaN(String word) {
         try {
             return Double.parseDouble(word);

@@ -25,6 +25,6 @@ class ChosenPageTest {
     void ofSeveralAtOtherPortsOneMustBeChosen() {
         assertThatThrownBy(() -> ChosenPage.among(List.of(40000, 40321)))
                 .hasMessage(
-                        "There are several runs with a page on this machine, at the ports 40000, 40321. Say which: --port 40000.");
+                        "There are several runs with a page on this machine, at the ports 40000, 40321. Choose one: --port 40000.");
     }
 }

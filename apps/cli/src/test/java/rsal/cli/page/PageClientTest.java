@@ -84,7 +84,7 @@ class PageClientTest {
         try (var other = new Answering(200, "<html>Hello</html>")) {
             assertThatThrownBy(() -> other.client().get("/api/status"))
                     .isInstanceOf(Unreachable.class)
-                    .hasMessageContaining("is no page of a run");
+                    .hasMessageContaining("is not a page of a run");
         }
     }
 

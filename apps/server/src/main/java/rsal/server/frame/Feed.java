@@ -20,7 +20,7 @@ public interface Feed {
     /// @param known how many robots the viewer knows
     String newcomers(int known);
 
-    /// What of the world is no robot; the same until something comes or goes.
+    /// What of the world is not a robot; the same until something comes or goes.
     ObjectRegistry things();
 
     /// Of the details, from 1; 0 while there are none.

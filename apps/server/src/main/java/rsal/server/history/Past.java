@@ -51,7 +51,7 @@ public interface Past {
 
     /// The time that is asked about, in s of the run; the end when none is.
     ///
-    /// @throws Refusal when it is no number
+    /// @throws Refusal when it is not a number
     static Duration asked(Context request) {
         String typed = Optional.ofNullable(request.queryParam("time")).orElse("1e9");
         double seconds;
@@ -68,7 +68,7 @@ public interface Past {
 
     /// The time that is asked about, in s of the run; empty when none is, which is about the present.
     ///
-    /// @throws Refusal when it is no number
+    /// @throws Refusal when it is not a number
     static Optional<Duration> askedBack(Context request) {
         return Optional.ofNullable(request.queryParam("time")).map(_ -> asked(request));
     }

@@ -20,7 +20,7 @@ public final class FewAtOnce {
     /// @throws Refusal when others are asking
     public <T> T ask(Supplier<T> work) {
         if (!asking.tryAcquire()) {
-            throw new Refusal(409, "Others are asking for %s. Try again in a moment.".formatted(about));
+            throw new Refusal(409, "Others request %s at the same time. Try again in a moment.".formatted(about));
         }
         try {
             return work.get();

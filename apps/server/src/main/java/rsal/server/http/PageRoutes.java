@@ -48,11 +48,11 @@ public final class PageRoutes {
         routes.exception(CancellationException.class, (_, request) -> refuseLate(request));
         routes.exception(IOException.class, (e, request) -> { // the client closed the connection, or sent no more
             LOG.debug("Could not answer {} {}.", request.method(), request.path(), e);
-            refuse(request, new Refusal(400, "The request did not come as a whole."));
+            refuse(request, new Refusal(400, "The request is incomplete."));
         });
         routes.exception(Exception.class, (e, request) -> {
             LOG.error("Could not answer {} {}.", request.method(), request.path(), e);
-            refuse(request, new Refusal(500, "The server failed at this; its log says why."));
+            refuse(request, new Refusal(500, "The server failed. Its log says why."));
         });
     }
 

@@ -102,7 +102,7 @@ public final class Live implements ViewerEndpoint {
         try {
             connection.viewer.offer(showing.live(), showing.past(), PERIOD);
         } catch (RuntimeException e) {
-            LOG.warn("Let a viewer go that could not be sent to.", e);
+            LOG.warn("A viewer was disconnected, since nothing could be sent to it.", e);
             connections.remove(connection);
             counts.letGo(Reason.FAILED);
             connection.viewer.drop();

@@ -256,7 +256,7 @@ public final class Messages {
     /// Robots that have joined the run. They come after all that were told before in the order of frames.
     public record Newcomers(int run, List<RobotInfo> robots) {}
 
-    /// What of the simulated world is no robot: changes to what was told before.
+    /// What of the simulated world is not a robot: changes to what was told before.
     ///
     /// @param gone numbers
     /// @param left how many more there are than can be told

@@ -125,7 +125,8 @@ public final class RunSlots implements ViewerEndpoint {
     private static Refusal gone(String number) {
         return new Refusal(
                 404,
-                "There is no run '%s' beside the first. Maybe it was closed.".formatted(Refusal.shortened(number)));
+                "There is no run '%s' next to the first one. Maybe it was closed."
+                        .formatted(Refusal.shortened(number)));
     }
 
     /// Begins a run beside those that are there. Nobody but its viewers sees it: who is told of runs, records them or
@@ -141,14 +142,12 @@ public final class RunSlots implements ViewerEndpoint {
             throw new Refusal(409, "%d runs are side by side already. Close one of them first.".formatted(MOST));
         }
         if (isInRealTime(plan)) {
-            throw new Refusal(
-                    409, "This goes in real time, and the runs beside it would make it late. Restart instead.");
+            throw new Refusal(409, "This run is in real time, and runs side by side would delay it. Restart instead.");
         }
         if (all.stream()
                 .anyMatch(seat ->
                         isInRealTime(seat.now().run().plan()) && !seat.now().isOver())) {
-            throw new Refusal(
-                    409, "The run goes in real time, and another beside it would make it late. Stop it first.");
+            throw new Refusal(409, "The run is in real time, and another one would delay it. Stop it first.");
         }
         checkNoStopSince(asked);
         var seat = new RunSlot(
@@ -174,8 +173,7 @@ public final class RunSlots implements ViewerEndpoint {
             throw gone(Integer.toString(seat.number()));
         }
         if (isInRealTime(plan) && all.size() > 1) {
-            throw new Refusal(
-                    409, "This goes in real time, and the runs beside it would make it late. Close those first.");
+            throw new Refusal(409, "This run is in real time, and the other runs would delay it. Close those first.");
         }
         seat.current().restart(plan, () -> checkNoStopSince(asked));
         stopIfToldSince(asked, seat);
@@ -241,10 +239,10 @@ public final class RunSlots implements ViewerEndpoint {
         } catch (TimeoutException _) {
             return new Answer.Refused("Run %d was asked to stop and has not confirmed it within %d s. Maybe one of its"
                             .formatted(number, PATIENCE.toSeconds())
-                    + " agents never returns: see to its robots yourself.");
+                    + " agents never returns: check its robots yourself.");
         } catch (ExecutionException e) {
             return new Answer.Refused(
-                    "Run %d could not be stopped: %s. See to its robots yourself.".formatted(number, e.getCause()));
+                    "Run %d could not be stopped: %s. Check its robots yourself.".formatted(number, e.getCause()));
         } catch (InterruptedException e) { // nobody does
             throw new IllegalStateException(e);
         }

@@ -73,8 +73,7 @@ public final class SweepApi {
     /// @throws Refusal when it would be disturbed
     public void checkBeside(RunPlan plan) {
         if (plan.clock() == RunPlan.Clock.WALL && sweeps.isInProgress()) {
-            throw new Refusal(
-                    409, "This goes in real time, and a sweep beside it would make it late. Stop that first.");
+            throw new Refusal(409, "This run is in real time, and a sweep would delay it. Stop the sweep first.");
         }
     }
 
@@ -82,8 +81,7 @@ public final class SweepApi {
     private void checkBeside() {
         Numbered now = current.now();
         if (now.run().plan().clock() == RunPlan.Clock.WALL && !now.isOver()) {
-            throw new Refusal(
-                    409, "The run goes in real time, and a sweep beside it would make it late. Stop it first.");
+            throw new Refusal(409, "The run is in real time, and a sweep would delay it. Stop the run first.");
         }
     }
 

@@ -103,13 +103,13 @@ public final class SweepReader {
                             .formatted(
                                     combinations > Integer.MAX_VALUE ? "far too many" : combinations,
                                     MOST_COMBINATIONS),
-                    "Vary less, or say 'rsal sweep' in a terminal."));
+                    "Vary less, or use 'rsal sweep' in a terminal."));
         }
         if (design.runs() > MOST_RUNS) {
             return Optional.of(new FieldError(
                     "",
                     "These are %d runs; the page takes at most %d.".formatted(design.runs(), MOST_RUNS),
-                    "Take fewer seeds, or say 'rsal sweep' in a terminal."));
+                    "Take fewer seeds, or use 'rsal sweep' in a terminal."));
         }
         return Optional.empty();
     }

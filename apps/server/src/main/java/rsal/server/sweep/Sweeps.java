@@ -121,7 +121,7 @@ public final class Sweeps implements AutoCloseable {
             }
             Manifest.Session last = manifest.sessions().getLast();
             if (last.command().contains("--record")) {
-                throw new Refusal(409, "Its runs are recorded, as none that begin here are. Go on in a terminal.");
+                throw new Refusal(409, "Its runs are recorded, which the page can't do. Continue in a terminal.");
             }
             Design design = manifest.subject().design();
             SweepReader.tooLarge(design).ifPresent(error -> {
@@ -159,7 +159,7 @@ public final class Sweeps implements AutoCloseable {
         try {
             Files.deleteIfExists(folder);
         } catch (IOException e) {
-            LOG.warn("The folder {} stays, though nothing could be written to it: {}", folder, e.getMessage());
+            LOG.warn("Nothing could be written to the folder {}, which is kept: {}", folder, e.getMessage());
         }
     }
 
@@ -239,11 +239,11 @@ public final class Sweeps implements AutoCloseable {
     }
 
     private static Refusal notHere() {
-        return new Refusal(404, "No sweeps can be begun here.");
+        return new Refusal(404, "No sweeps can be started here.");
     }
 
     private static Refusal none() {
-        return new Refusal(404, "No sweep was begun here.");
+        return new Refusal(404, "No sweep was started here.");
     }
 
     private synchronized void checkFree() {

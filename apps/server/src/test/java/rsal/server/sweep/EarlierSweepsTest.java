@@ -53,7 +53,7 @@ class EarlierSweepsTest {
             }
             assertThatExceptionOfType(ExecutionException.class)
                     .isThrownBy(() -> asking.take().get())
-                    .withMessageContaining("Others are asking for earlier sweeps.");
+                    .withMessageContaining("Others request earlier sweeps at the same time.");
             try (OutputStream _ = Files.newOutputStream(rows)) {
                 Files.delete(rows); // for those that open it later
             }

@@ -32,7 +32,7 @@ record RobotDescription(
         if (!robot.name().equals("robot")) {
             throw new InvalidSettings(
                     robot.location(),
-                    "This is no robot description: it begins with '%s', not 'robot'.".formatted(robot.name()),
+                    "This is not a robot description: it begins with '%s', not 'robot'.".formatted(robot.name()),
                     "");
         }
         var links = new LinkedHashMap<String, XmlElement>();

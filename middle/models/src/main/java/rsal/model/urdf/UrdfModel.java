@@ -236,7 +236,7 @@ public record UrdfModel(String model, Map<String, String> parts, List<Problem> n
                                 Stream.of(new Transform.Point(0, 0, -radius), new Transform.Point(0, 0, radius)))
                         .toList();
             }
-            note(shape, "This collision shape is no box, cylinder or sphere, and is skipped.", "");
+            note(shape, "This collision shape is not a box, cylinder or sphere, and is skipped.", "");
             return List.of();
         }
 

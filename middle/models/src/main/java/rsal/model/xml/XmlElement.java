@@ -35,8 +35,8 @@ public record XmlElement(
     /// Reads a whole file. Other files that it names are not read, nor are declarations of its own (DTD).
     ///
     /// @param most elements
-    /// @param remedy what to try when it is no XML; may be empty
-    /// @throws InvalidSettings when it is no XML, or too deep or too large
+    /// @param remedy what to try when it is not XML; may be empty
+    /// @throws InvalidSettings when it is not XML, or too deep or too large
     public static XmlElement read(String text, String file, int most, String remedy) {
         XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
         factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
@@ -51,7 +51,7 @@ public record XmlElement(
                     at == null
                             ? Location.of(file)
                             : new Location(file, Math.max(1, at.getLineNumber()), Math.max(1, at.getColumnNumber())),
-                    "This is no XML: %s"
+                    "This is not XML: %s"
                             .formatted(message.substring(message.lastIndexOf('\n') + 1)
                                     .replaceFirst("^Message: ", "")),
                     remedy);

@@ -93,20 +93,20 @@ class UrdfModelTest {
     void whatIsLeftOutIsTold() {
         assertThat(made(CART).notes())
                 .extracting(Problem::toString)
-                .anySatisfy(note -> assertThat(note).contains("cart.urdf:21:", "no box, cylinder or sphere"));
+                .anySatisfy(note -> assertThat(note).contains("cart.urdf:21:", "not a box, cylinder or sphere"));
         assertThat(made(CART).model()).contains("camera: [0.3, 0, 0, 0.15]");
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-            <robot name="x"><link name="a"/>             | This is no XML
+            <robot name="x"><link name="a"/>             | This is not XML
             <sdf/>                                        | begins with 'sdf', not 'robot'
             <robot name="x"/>                             | has no 'link'
             <robot><link name="a"/></robot>               | No link has a collision shape
             <robot><link name="a"/><joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint></robot> | Joint 'j' has no link 'b' as its child
             <robot><link name="a"/><link name="b"/><joint name="j"><parent link="a"/><child link="b"/></joint><joint name="k"><parent link="b"/><child link="a"/></joint></robot> | form a circle
             <robot><link name="a"><collision><geometry><box size="1 1"/></geometry></collision></link></robot> | 'size' must be 3 numbers, not '1 1'
-            <!DOCTYPE robot [<!ENTITY a SYSTEM "file:///etc/hostname">]><robot name="&a;"><link name="a"/></robot> | This is no XML
+            <!DOCTYPE robot [<!ENTITY a SYSTEM "file:///etc/hostname">]><robot name="&a;"><link name="a"/></robot> | This is not XML
             """)
     void saysWhatIsWrong(String urdf, String message) {
         assertThatThrownBy(() -> made(urdf))

@@ -168,7 +168,7 @@ public final class Amcl {
     /// @throws IllegalArgumentException when any of the belief is not finite
     public void start(PoseEstimate belief) {
         if (!belief.isFinite()) {
-            throw new IllegalArgumentException("Nobody can believe '%s'.".formatted(belief));
+            throw new IllegalArgumentException("'%s' can't be a pose estimate.".formatted(belief));
         }
         restart(false);
         trusted = isSingle(belief);
@@ -220,7 +220,7 @@ public final class Amcl {
     /// @throws IllegalArgumentException when the pose is not finite; the belief stays as it was
     public PoseEstimate update(Pose2d odomFromBase, Beams beams) {
         if (!odomFromBase.isFinite()) {
-            throw new IllegalArgumentException("Odometry can't say '%s'.".formatted(odomFromBase));
+            throw new IllegalArgumentException("'%s' can't be odometry.".formatted(odomFromBase));
         }
         Pose2d reported = fresh ? Pose2d.ORIGIN : this.odomFromBase.inverse().compose(odomFromBase);
         Pose2d motion = scale.corrected(reported);

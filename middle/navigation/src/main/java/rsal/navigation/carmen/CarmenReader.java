@@ -142,7 +142,7 @@ final class CarmenReader {
         }
         if (Math.abs(value) > most) {
             throw new Misread(
-                    "a mount that can't be",
+                    "an impossible mount",
                     "%s is '%s', not -%4$.1f to %4$.1f %3$s. It is not used."
                             .formatted(parameter.name(), value, unit, most));
         }
@@ -196,7 +196,7 @@ final class CarmenReader {
                 || Math.abs(start) > 2 * Math.PI
                 || !(Math.abs(step) * (count - 1) <= 2 * Math.PI + Math.abs(step))) {
             throw new Misread(
-                    "a laser that can't be",
+                    "an impossible laser",
                     "Its first angle is '%s', the angle between readings '%s', its longest range '%s'."
                             .formatted(start, step, rangeMax));
         }
@@ -285,7 +285,7 @@ final class CarmenReader {
         double y = fields.finite("pose's y");
         double theta = fields.finite("pose's heading");
         if (!(Math.max(Math.abs(x), Math.abs(y)) <= FARTHEST && Math.abs(theta) <= FARTHEST)) {
-            throw new Misread("a pose that can't be", "It is at (%s, %s, %s).".formatted(x, y, theta));
+            throw new Misread("an impossible pose", "It is at (%s, %s, %s).".formatted(x, y, theta));
         }
         return new RawPose(x, y, theta);
     }

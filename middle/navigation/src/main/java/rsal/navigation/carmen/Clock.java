@@ -37,7 +37,7 @@ final class Clock {
         }
         double reported = source == Source.SENDER ? sender : logger;
         if (!(Math.abs(reported) <= LATEST)) {
-            throw new Misread("a time that can't be", "Its time is '%s' s.".formatted(reported));
+            throw new Misread("an impossible time", "Its time is '%s' s.".formatted(reported));
         }
         double time = reported > 0 ? inOrder(reported, kind) : Math.max(0, last[kind]);
         last[kind] = time;

@@ -91,7 +91,7 @@ final class LineFields {
             // told below
         }
         throw new Misread(
-                "a count that can't be", "The number of %s is '%s', not 0 to %d.".formatted(what, brief(word), most));
+                "an impossible count", "The number of %s is '%s', not 0 to %d.".formatted(what, brief(word), most));
     }
 
     static String brief(String word) {

@@ -208,9 +208,9 @@ final class Explorer extends SensorCore<OccupancyGrid> implements Mapper {
         Point2d first = order.narrow().getFirst();
         LOG.log(
                 Level.WARNING,
-                () -> ("Nothing leads '%s' to %d places where its map ends, as at (%.1f, %.1f), that is as wide as it"
-                                + " needs, but something that is narrower by less than three cells. Maybe a smaller"
-                                + " `resolution` than (%s m) or `wallDistance` of its explorer lets it through.")
+                () -> ("'%s' can't get to %d frontiers of its map, as at (%.1f, %.1f), since passages there are "
+                                + "too narrow by less than three cells. Maybe set a smaller `resolution` than (%s m) or a "
+                                + "smaller `wallDistance` of its explorer.")
                         .formatted(
                                 info().robot(),
                                 order.narrow().size(),

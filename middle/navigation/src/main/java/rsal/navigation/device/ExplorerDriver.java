@@ -92,7 +92,7 @@ public final class ExplorerDriver implements DeviceDriver {
         Localizer sound = localizer instanceof FaultyLocalizer faulty ? faulty.inner() : localizer;
         if (!(sound instanceof SlamLocalizer slam)
                 || !(context.robot().require(Navigator.class) instanceof PathNavigator navigator)) {
-            throw new IllegalArgumentException("'%s' has other devices than an explorer works with."
+            throw new IllegalArgumentException("'%s' has devices that an explorer can't work with."
                     .formatted(context.robot().id()));
         }
         Exploration team =

@@ -32,7 +32,7 @@ final class ForeignOptions {
                         "obs_cutoff_0ms",
                         "obs_cutoff_1ms")
                 .and(
-                        "How near is near enough comes with each goal.",
+                        "Each goal has its own tolerance.",
                         "distance_epsilon",
                         "angle_epsilon",
                         "goal_tol",
@@ -47,14 +47,14 @@ final class ForeignOptions {
                         "translate_stuck_dist",
                         "translate_stuck_angle")
                 .and(
-                        "What came to lie where the laser does not look is remembered by itself.",
+                        "Obstacles that the laser does not see any more are remembered.",
                         "laser_buffer",
                         "sonar_buffer",
                         "laser_buffer_size")
-                .and("It turns the slower the less is missing, and needs no least turn rate.", "min_turnrate")
-                .and("Its laws slow it down to a fifth of 'maxSpeed' at most.", "min_speed", "min_vel_x")
-                .and("It turns away as it turns otherwise, no faster than 'maxTurnRate'.", "escape_max_turnrate")
-                .and("It always backs off from what it has run into.", "wait_on_stall")
+                .and("It turns more slowly near the target angle, and needs no minimum turn rate.", "min_turnrate")
+                .and("Near obstacles, it drives at a fifth of 'maxSpeed' or faster.", "min_speed", "min_vel_x")
+                .and("It turns away at 'maxTurnRate' at most, as in other turns.", "escape_max_turnrate")
+                .and("It always backs off after a collision.", "wait_on_stall")
                 .and("It is 'controller' here: 'controller: {type: vfh}'.", "local")
                 .and("It is 'planner' here: 'planner: {type: wavefront}'.", "global")
                 .and("Give the robot other sonars.", "sonar_bad_transducers")
@@ -63,7 +63,7 @@ final class ForeignOptions {
                 .and(
                         "It plans again every 'replanPeriod', and at once when it has left its path.",
                         "replan_dist_thresh")
-                .and("It turns by itself where that is needed.", "add_rotational_waypoints")
+                .and("It turns in place where that is needed.", "add_rotational_waypoints")
                 .and("It is 'safetyDist0ms' of controller vfh here.", "safetyDistance")
                 .and("It is 'safetyDist1ms' of controller vfh here.", "safetyDistanceAtSpeed")
                 .and(
@@ -82,7 +82,7 @@ final class ForeignOptions {
         return new ForeignOptions()
                 .and("It is 'wallDistance' here.", "safety_dist")
                 .and("It is 'goalDistance' here.", "tolerance")
-                .and("What is not known counts as a wall.", "allow_unknown")
+                .and("Unknown space counts as a wall.", "allow_unknown")
                 .andOfMaps();
     }
 
@@ -137,7 +137,7 @@ final class ForeignOptions {
                         "It looks for the robot elsewhere by itself when scans don't fit any more.",
                         "recovery_alpha_slow",
                         "recovery_alpha_fast")
-                .and("It resamples when that is due.", "resample_interval");
+                .and("It resamples when that is necessary.", "resample_interval");
     }
 
     private ForeignOptions and(String sentence, String... options) {

@@ -135,8 +135,8 @@ final class NavigationTask {
         if (progress.isTimeToGiveUp(scheduler.instant())) {
             giveUp(
                     knewPlace
-                            ? "It is not known any more where the robot is or what is around it."
-                            : "It was never known where the robot is and what is around it.");
+                            ? "The robot's pose or its surroundings are not known any more."
+                            : "The robot's pose and its surroundings were never known.");
         }
         return Twist2d.STOP;
     }
@@ -260,7 +260,7 @@ final class NavigationTask {
 
     private void beginRecovery(Recovery.Situation seen, double left) {
         if (seen.stalled() && progress.stallsTooOften(left)) {
-            giveUp("It ran %d times into something that it does not see, last at (%.1f, %.1f)."
+            giveUp("It had %d collisions with something that it does not see, the last one at (%.1f, %.1f)."
                     .formatted(progress.stalls(), mapFromBase.x(), mapFromBase.y()));
         } else {
             recoveries.begin(seen);
@@ -303,7 +303,7 @@ final class NavigationTask {
         planning.forget();
         progress.excuse(now.now());
         if (progress.isTimeToGiveUp(now.now())) {
-            giveUp("It drove about for %d s, and is still unsure where it is: %s."
+            giveUp("It drove around for %d s, and its pose is still uncertain: %s."
                     .formatted(settings.patience().toSeconds(), PoseConfidence.doubt(now.estimate())));
             return Twist2d.STOP;
         }

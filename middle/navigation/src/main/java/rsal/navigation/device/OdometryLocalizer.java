@@ -19,7 +19,7 @@ import rsal.device.SensorCore;
 
 /// A localizer that takes odometry at its word: the robot is where it started, moved as its wheels say. Its
 /// uncertainty is that of its start and does not grow. Silent until it is told where the robot starts, and
-/// while odometry is no number. It does not notice when somebody resets odometry on the way.
+/// while odometry is not a number. It does not notice when somebody resets odometry on the way.
 final class OdometryLocalizer extends SensorCore<PoseEstimate> implements Localizer {
     private final OccupancyGrid map;
     private final List<CompletableFuture<Void>> followers = new ArrayList<>();

@@ -73,7 +73,7 @@ public final class LogLines {
                 throw new BrokenLog(
                         file,
                         number + 1,
-                        "The line has more than %d characters. Maybe this is no log.".formatted(LONGEST));
+                        "The line has more than %d characters. Maybe this is not a log.".formatted(LONGEST));
             }
             if (length + more > line.length) {
                 line = Arrays.copyOf(line, Math.max(2 * line.length, length + more));

@@ -1,19 +1,20 @@
 package rsal.navigation.passage;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.wavefront.CostMap;
 
-/// Finds places at which corridors meet. About such a place runs a circle, a little larger than the free one, that
-/// walls
-/// divide into arcs; each arc from which a robot gets farther away is a corridor. With three or more, the place is a
-/// branching point of the medial axis (Thrun 1998), found without the axis itself, whose small branches furniture
-/// makes.
+/// Finds places at which corridors meet. Walls divide a circle around such a place, a little larger than the free one,
+/// into arcs. Each arc from which a robot gets farther away is a corridor. With three or more, the place is a branching
+/// point of the medial axis (S. Thrun, "Learning metric-topological maps for indoor mobile robot navigation", 1998).
+/// The
+/// axis itself is not computed, since furniture adds small branches to it. Of one thread.
 final class JunctionSearch {
     private static final int LEAST_ARMS = 3;
     private static final double BEYOND = 0.45; // m by which the circle is larger than the free one
@@ -27,10 +28,26 @@ final class JunctionSearch {
     private final OccupancyGrid grid;
     private final int[] passages; // by cell; -1 outside of any
     private final double body;
-    private final int[] seen;
+    private final int leastArc; // cells; narrower arcs are no corridors
+    private final int[] seen; // by cell, the number of the flood that has reached it
+    private final int[] queue; // cells of the flood, in the order in which it reached them
+    private final int[] sides; // of a cell, as differences of indices
+    private final Map<Double, Ring> rings = new HashMap<>(); // by clearance
+    private final List<Arc> arcs = new ArrayList<>();
+    private int[] around = {}; // cells of the ring around a place; -1 where no robot can stand
     private int floods;
 
     private record Candidate(int cell, int arms, double clearance) {}
+
+    /// Neighboring places of the ring at which a robot can stand.
+    private record Arc(int first, int length) {}
+
+    /// A circle around the middle of a cell, as differences of columns and rows, counter-clockwise.
+    private record Ring(int[] columns, int[] rows) {
+        int size() {
+            return columns.length;
+        }
+    }
 
     /// @param passages by cell; -1 outside of any
     /// @param body radius of the circle that a robot turns in [m]
@@ -40,7 +57,10 @@ final class JunctionSearch {
         this.grid = open.grid();
         this.passages = passages;
         this.body = body;
+        this.leastArc = (int) ((2 * Passages.halfWidth(body) - SLACK - 2 * body) / grid.resolution());
         this.seen = new int[passages.length];
+        this.queue = new int[passages.length];
+        this.sides = new int[] {-1, 1, -grid.width(), grid.width()};
     }
 
     List<Junction> find() {
@@ -71,34 +91,35 @@ final class JunctionSearch {
 
     /// How many corridors lead away from a place.
     private int arms(int cell, double clearance) {
-        double radius = clearance + BEYOND;
-        Point2d center = grid.middle(cell);
-        int samples = (int) Math.ceil(2 * Math.PI * radius / grid.resolution());
-        var ring = new int[samples];
+        Ring ring = rings.computeIfAbsent(clearance, this::ring);
+        int column = cell % grid.width();
+        int row = cell / grid.width();
         int blocked = -1;
-        for (int i = 0; i < samples; i++) {
-            double angle = 2 * Math.PI * i / samples;
-            ring[i] = standing(center.x() + radius * Math.cos(angle), center.y() + radius * Math.sin(angle));
-            if (ring[i] < 0) {
+        for (int i = 0; i < ring.size(); i++) {
+            around[i] = standing(column + ring.columns()[i], row + ring.rows()[i]);
+            if (around[i] < 0) {
                 blocked = i;
             }
         }
-        if (blocked < 0) {
-            return 0;
+        return blocked < 0 ? 0 : arms(cell, clearance + BEYOND, ring.size(), blocked);
+    }
+
+    private Ring ring(double clearance) {
+        double cells = (clearance + BEYOND) / grid.resolution();
+        int size = (int) Math.ceil(2 * Math.PI * cells);
+        var columns = new int[size];
+        var rows = new int[size];
+        for (int i = 0; i < size; i++) {
+            double angle = 2 * Math.PI * i / size;
+            columns[i] = (int) Math.floor(0.5 + cells * Math.cos(angle));
+            rows[i] = (int) Math.floor(0.5 + cells * Math.sin(angle));
         }
-        int[][] arcs =
-                arcs(ring, blocked, (int) ((2 * Passages.halfWidth(body) - SLACK - 2 * body) / grid.resolution()));
-        if (arcs.length < LEAST_ARMS) {
-            return 0;
-        }
-        return (int)
-                Arrays.stream(arcs).filter(arc -> leadsOn(arc, center, radius)).count();
+        around = size > around.length ? new int[size] : around;
+        return new Ring(columns, rows);
     }
 
     /// The cell at a place, if a robot can turn there and it is in no passage; else -1.
-    private int standing(double x, double y) {
-        int column = grid.column(x);
-        int row = grid.row(y);
+    private int standing(int column, int row) {
         if (!grid.contains(column, row)) {
             return -1;
         }
@@ -106,50 +127,70 @@ final class JunctionSearch {
         return open.isOpen(cell) && toNotFree.at(cell) >= body && passages[cell] < 0 ? cell : -1;
     }
 
-    private static int[][] arcs(int[] ring, int blocked, int least) {
-        var arcs = new ArrayList<int[]>();
+    /// @param size of the ring around the place
+    /// @param blocked index in the ring at which no robot can stand
+    private int arms(int cell, double radius, int size, int blocked) {
+        arcs.clear();
         int length = 0;
-        for (int i = 1; i <= ring.length; i++) {
-            if (ring[(blocked + i) % ring.length] >= 0) {
+        for (int i = 1; i <= size; i++) {
+            if (around[(blocked + i) % size] >= 0) {
                 length++;
-            } else {
-                if (length >= least) {
-                    var arc = new int[length];
-                    for (int k = 0; k < length; k++) {
-                        arc[k] = ring[(blocked + i - length + k) % ring.length];
-                    }
-                    arcs.add(arc);
-                }
-                length = 0;
+                continue;
             }
+            if (length >= leastArc) {
+                arcs.add(new Arc((blocked + i - length) % size, length));
+            }
+            length = 0;
         }
-        return arcs.toArray(int[][]::new);
+        if (arcs.size() < LEAST_ARMS) {
+            return 0;
+        }
+        return (int)
+                arcs.stream().filter(arc -> leadsOn(arc, size, cell, radius)).count();
     }
 
-    private boolean leadsOn(int[] arc, Point2d center, double radius) {
+    /// Whether a robot gets away from a place, beginning at an arc of the ring around it.
+    private boolean leadsOn(Arc arc, int size, int center, double radius) {
         floods++;
-        var cells = new IntList();
-        for (int cell : arc) {
-            if (seen[cell] != floods) {
-                seen[cell] = floods;
-                cells.add(cell);
-            }
+        int last = 0;
+        for (int i = 0; i < arc.length(); i++) {
+            last = flood(around[(arc.first() + i) % size], last);
         }
-        for (int i = 0; i < cells.size(); i++) {
-            int cell = cells.get(i);
-            for (int next : new int[] {cell - 1, cell + 1, cell - grid.width(), cell + grid.width()}) {
+        double near = square(radius / grid.resolution());
+        double far = square((radius + REACH) / grid.resolution());
+        int width = grid.width();
+        int centerColumn = center % width;
+        int centerRow = center / width;
+        for (int i = 0; i < last; i++) {
+            int cell = queue[i];
+            for (int side : sides) {
+                int next = cell + side;
                 if (seen[next] != floods && open.isOpen(next) && toNotFree.at(next) >= body) {
-                    double distance = grid.middle(next).distanceTo(center);
-                    if (distance >= radius + REACH) {
+                    long columns = next % width - centerColumn;
+                    long rows = next / width - centerRow;
+                    long squared = columns * columns + rows * rows;
+                    if (squared >= far) {
                         return true;
                     }
-                    if (distance >= radius) {
-                        seen[next] = floods;
-                        cells.add(next);
+                    if (squared >= near) {
+                        last = flood(next, last);
                     }
                 }
             }
         }
         return false;
+    }
+
+    private int flood(int cell, int last) {
+        if (seen[cell] == floods) {
+            return last;
+        }
+        seen[cell] = floods;
+        queue[last] = cell;
+        return last + 1;
+    }
+
+    private static double square(double value) {
+        return value * value;
     }
 }

@@ -44,8 +44,8 @@ public final class CorrelativeMatcher {
     public record Window(double meters, double radians, double trust) {
         public Window {
             if (!(meters >= 0 && radians >= 0 && meters < 1e4 && trust >= 0)) {
-                throw new IllegalArgumentException(
-                        "A window of ±%s m and ±%s rad, trusted by %s, can't be.".formatted(meters, radians, trust));
+                throw new IllegalArgumentException("A window of ±%s m and ±%s rad with the trust %s is not allowed."
+                        .formatted(meters, radians, trust));
             }
         }
 

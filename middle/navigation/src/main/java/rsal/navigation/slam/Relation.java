@@ -22,7 +22,7 @@ public record Relation(int from, int to, Pose2d fromFromTo, Covariance2d covaria
 
     public Relation {
         if (from == to || from < 0 || to < 0) {
-            throw new IllegalArgumentException("A relation from '%d' to '%d' can't be.".formatted(from, to));
+            throw new IllegalArgumentException("A relation can't lead from '%d' to '%d'.".formatted(from, to));
         }
     }
 }

@@ -27,7 +27,7 @@ public record RelationError(int count, double meters, double radians) {
     private static RelationError of(List<Pose2d> right, List<Pose2d> judged, double within) {
         if (right.size() != judged.size()) {
             throw new IllegalArgumentException(
-                    "Of %d poses that are right %d can't be judged.".formatted(right.size(), judged.size()));
+                    "%d poses can't be compared with %d correct ones.".formatted(judged.size(), right.size()));
         }
         int count = 0;
         double meters = 0;

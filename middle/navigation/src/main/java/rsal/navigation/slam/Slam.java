@@ -144,7 +144,7 @@ public final class Slam {
     /// @throws IllegalArgumentException when the pose is not finite
     public Located add(Pose2d odomFromBase, LaserScan scan) {
         if (!odomFromBase.isFinite()) {
-            throw new IllegalArgumentException("Odometry can't say '%s'.".formatted(odomFromBase));
+            throw new IllegalArgumentException("'%s' can't be odometry.".formatted(odomFromBase));
         }
         Cloud cloud = Cloud.of(scan, settings.maxRange());
         if (frames.isEmpty()) {

@@ -169,7 +169,7 @@ public final class ReachableSpace {
         });
         NavigationFunction nearest = new Wavefront(parts.open())
                 .everywhere(places, 0)
-                .orElseThrow(() -> new IllegalArgumentException("No place (0) is spread over anything."));
+                .orElseThrow(() -> new IllegalArgumentException("At least one place must be asked for, not 0."));
         OccupancyGrid map = parts.map();
         double sum = 0;
         double squares = 0;
@@ -233,9 +233,10 @@ public final class ReachableSpace {
         String what = switch (reason) {
             case OUTSIDE -> "is outside the map";
             case OCCUPIED -> "is in a wall, or in something else that stands there";
-            case UNKNOWN -> "is where the map knows nothing";
+            case UNKNOWN -> "is in unknown space of the map";
             case TOO_NEAR ->
-                "is '%s' m from what is not free, nearer than '%s' m".formatted(number(clear), number(clearance()));
+                "is '%s' m from an obstacle or unknown space, nearer than '%s' m"
+                        .formatted(number(clear), number(clearance()));
             case CUT_OFF -> "cannot be reached with '%s' m of clearance".formatted(number(clearance()));
         };
         String instead = nearest(place)

@@ -35,14 +35,14 @@ public sealed interface Ends {
         }
         int startCell = nearest(grid, start, ESCAPE, isOpen);
         if (startCell < 0) {
-            return none("The robot at %s is shut in between obstacles.", start);
+            return none("The robot at %s is enclosed by obstacles.", start);
         }
         return new Cells(startCell, goalCell);
     }
 
     /// No way leads from its start to its goal.
     static Plan.None apart(Point2d goal) {
-        return new Plan.None("Nothing this robot fits through leads to the goal %s.".formatted(text(goal)));
+        return new Plan.None("No path that is wide enough for this robot leads to the goal %s.".formatted(text(goal)));
     }
 
     /// The cell of a place on the map, or the nearest one that is open; −1 when none is so near.
@@ -73,7 +73,7 @@ public sealed interface Ends {
     private static String whyNot(OccupancyGrid grid, Point2d goal, IntPredicate isOpen) {
         String why = switch (grid.at(grid.column(goal.x()), grid.row(goal.y()))) {
             case OccupancyGrid.OCCUPIED -> "in a wall";
-            case OccupancyGrid.UNKNOWN -> "where the map knows nothing";
+            case OccupancyGrid.UNKNOWN -> "in unknown space of the map";
             default -> "too near to an obstacle for this robot";
         };
         int instead = nearest(grid, goal, LOOK_AROUND, isOpen);

@@ -161,8 +161,8 @@ class CarmenReaderTest {
                 "robot_frontlaser_offset front | not a number | 'front'",
                 "robot_frontlaser_offset nan | not finite | 'NaN'",
                 "robot_frontlaser_offset | cut short | ends",
-                "robot_frontlaser_side_offset 250 nohost 0 | a mount that can't be | '250.0', not -1.5 to 1.5 m",
-                "robot_frontlaser_angular_offset 180 | a mount that can't be | '180.0', not -6.3 to 6.3 rad"
+                "robot_frontlaser_side_offset 250 nohost 0 | an impossible mount | '250.0', not -1.5 to 1.5 m",
+                "robot_frontlaser_angular_offset 180 | an impossible mount | '180.0', not -6.3 to 6.3 rad"
             })
     void aMountThatCannotBeIsToldAndNotUsed(String parameter, String reason, String reported) throws IOException {
         Skipped skipped = read("PARAM robot_frontlaser_offset 0.2\nPARAM " + parameter
@@ -191,15 +191,15 @@ class CarmenReaderTest {
                 "FLASER 4 1 2 3 0 0 0 0 0 0 1 h 1     | not a number",
                 "FLASER 9 1 2 3 0 0 0 0 0 0 1 1 1     | cut short",
                 "FLASER 2 1 2 3 0 0 0 0 0 0 1 1 1     | a count that is not that of its readings",
-                "FLASER -1 1 0 0 0 0 0 0 1 h 1        | a count that can't be",
-                "FLASER 2000000000 1 0 0 0 0 0 0 1 h 1| a count that can't be",
+                "FLASER -1 1 0 0 0 0 0 0 1 h 1        | an impossible count",
+                "FLASER 2000000000 1 0 0 0 0 0 0 1 h 1| an impossible count",
                 "FLASER 0 0 0 0 0 0 0 1 h 1           | no readings",
                 "FLASER 2 0 nan 0 0 0 0 0 0 1 h 1     | nothing measured",
                 "FLASER 1 1 nan 0 0 0 0 0 1 h 1       | not finite",
-                "FLASER 1 1 0 0 0 1e300 0 0 1 h 1     | a pose that can't be",
+                "FLASER 1 1 0 0 0 1e300 0 0 1 h 1     | an impossible pose",
                 "FLASER 1 1 0 0 0 0 0 0 inf h 1       | not finite",
-                "ROBOTLASER1 0 0 1 1 -5 0 0 1 1 0 0 0 0 0 0 0 0 0 0 0 0 1 h 1 | a laser that can't be",
-                "RAWLASER1 0 0 -5 -5 20 0 0 4 1 2 3 4 0 1 h 1 | a laser that can't be",
+                "ROBOTLASER1 0 0 1 1 -5 0 0 1 1 0 0 0 0 0 0 0 0 0 0 0 0 1 h 1 | an impossible laser",
+                "RAWLASER1 0 0 -5 -5 20 0 0 4 1 2 3 4 0 1 h 1 | an impossible laser",
                 "ODOM 0 0 nan 0 0 0 1 h 1             | not finite",
                 "ODOM 0 0 O 0 0 0 1 h 1               | not a number"
             })

@@ -79,7 +79,7 @@ class ForeignOptionsTest {
 
     @Test
     void whoComesFromRosIsToldWhatToWrite() {
-        assertThat(driver.advice("xy_goal_tolerance").orElseThrow()).contains("with each goal");
+        assertThat(driver.advice("xy_goal_tolerance").orElseThrow()).contains("its own tolerance");
         assertThat(new AmclDriver().advice("laser_max_beams")).hasValue("It is 'beams' here.");
         assertThat(new AmclDriver().advice("min_particles")).hasValue("It is written 'minParticles' here.");
         assertThat(new AmclDriver().advice("odom_alpha1").orElseThrow()).contains("odometryNoiseScale");

@@ -99,7 +99,7 @@ class JumpPointsTest {
 
     @Test
     void saysWhyItFindsNoWay() {
-        assertThat(whyNot(ROOMS.place('a'), ROOMS.place('x'))).contains("Nothing this robot fits through");
+        assertThat(whyNot(ROOMS.place('a'), ROOMS.place('x'))).contains("No path that is wide enough");
         assertThat(whyNot(ROOMS.place('a'), new Point2d(0.05, 0.05))).contains("(0.05, 0.05) is in a wall");
         assertThat(whyNot(new Point2d(-3, 0), ROOMS.place('a'))).contains("The start (-3.00, 0.00) is outside");
         assertThat(whyNot(ROOMS.place('a'), new Point2d(-3, 0))).contains("The goal (-3.00, 0.00) is outside");

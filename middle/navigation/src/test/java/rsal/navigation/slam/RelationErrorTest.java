@@ -48,6 +48,6 @@ class RelationErrorTest {
     @Test
     void nothingToJudgeIsNoNumber() {
         assertThat(RelationError.ofNext(List.of(), List.of()).meters()).isNaN();
-        assertThatThrownBy(() -> RelationError.ofNext(RIGHT, List.of())).hasMessageContaining("Of 4 poses");
+        assertThatThrownBy(() -> RelationError.ofNext(RIGHT, List.of())).hasMessageContaining("4 correct");
     }
 }

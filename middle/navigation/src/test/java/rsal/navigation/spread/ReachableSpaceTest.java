@@ -105,8 +105,9 @@ class ReachableSpaceTest {
                         tuple(5, Reason.OUTSIDE),
                         tuple(6, Reason.OUTSIDE));
         assertThat(wrong.get(1).why())
-                .isEqualTo("Place (0.75, 2.25) is '0.25' m from what is not free, nearer than '0.60' m. Maybe the"
-                        + " nearest place that will do is meant, (1.25, 2.25).");
+                .isEqualTo(
+                        "Place (0.75, 2.25) is '0.25' m from an obstacle or unknown space, nearer than '0.60' m. Maybe the"
+                                + " nearest place that will do is meant, (1.25, 2.25).");
         assertThat(wrong.getFirst().why()).contains("cannot be reached with '0.60' m of clearance");
         assertThat(ground.check(List.of(ROOMS.place('a'), ROOMS.place('b')))).isEmpty();
     }
@@ -175,7 +176,7 @@ class ReachableSpaceTest {
         var ground = ReachableSpace.largest(ROOMS.grid(), 0.3);
         assertThatThrownBy(() -> ground.measure(List.of()))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("No place");
+                .hasMessageContaining("At least one place");
         assertThatThrownBy(() -> ground.measure(List.of(ROOMS.place('s'))))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("cannot be reached");

@@ -293,7 +293,7 @@ class WavefrontTest {
     void whatIsTooWideForTheDoorFindsNoWay() {
         CostMap map = costs(ROOMS.grid(), new Clearance(0.2, 0.4, 3));
         assertThat(why(new Wavefront(map).plan(ROOMS.place('a'), ROOMS.place('b'), 0.1)))
-                .contains("fits through");
+                .contains("wide enough");
     }
 
     @Test
@@ -304,7 +304,7 @@ class WavefrontTest {
                 .contains("in a wall; the nearest place for it is (0.25, 0.25)");
         assertThat(why(wavefront.plan(a, new Point2d(99, 0), 1))).contains("goal (99.00, 0.00) is outside");
         assertThat(why(wavefront.plan(new Point2d(-1, 0), a, 1))).contains("start (-1.00, 0.00) is outside");
-        assertThat(why(wavefront.plan(a, ROOMS.place('x'), 0.1))).contains("fits through");
+        assertThat(why(wavefront.plan(a, ROOMS.place('x'), 0.1))).contains("wide enough");
         assertThat(why(wavefront.plan(a, ROOMS.place('w'), 0))).contains("too near");
     }
 

@@ -173,7 +173,7 @@ final class CrewReader {
         if (id.contains("/")) {
             section.problem(
                     section.location(),
-                    "'%s' can't be the name of a robot, as a slash is what sets devices off from robots.".formatted(id),
+                    "'%s' can't be the name of a robot, since a slash separates robots from devices.".formatted(id),
                     "");
         }
     }
@@ -227,7 +227,9 @@ final class CrewReader {
                 .filter(carrier -> model.sensors().containsKey(carrier)
                         && !(model.sensors().get(carrier) instanceof Part.Actuator))
                 .forEach(carrier -> section.problem(
-                        "body", "A piece of its body stands on '%s', which is no actuator.".formatted(carrier), ""));
+                        "body",
+                        "A piece of its body stands on '%s', which is not an actuator.".formatted(carrier),
+                        ""));
     }
 
     private static boolean isFree(Section section) {

@@ -52,10 +52,10 @@ final class Keys {
     static final List<Parameter<?>> SURFACE = List.of(OBSTACLE, REFLECTANCE, BLOB, FIDUCIAL, KEY, GRIPPABLE);
 
     static final Parameter<Boolean> MOVES =
-            Parameter.flag("moves", false, "Whether it may be elsewhere later, so that the map does not show it.");
+            Parameter.flag("moves", false, "Whether it may be moved later, so that the map does not show it.");
 
     static final Parameter<Double> GIVING = Parameter.number(
-            "givingPower", 0, 0, 1e9, "W", "With which it charges each robot that touches it, at most.");
+            "givingPower", 0, 0, 1e9, "W", "Maximum power with which it charges each robot that touches it.");
 
     static final Parameter<Boolean> CLOSED =
             Parameter.flag("closed", false, "Whether the line goes on from its end to its beginning.");

@@ -615,7 +615,7 @@ class YamlFormatTest {
             walls: [{image: none.png, resolution: 1}]      | 2:17  | There is no file 'none.png'
             walls: [{image: a.pgm}]                        | 2:9   | a 'resolution', or a 'size', not none
             walls: [{image: a.pgm, resolution: 0}]         | 2:36  | Pixels of 0.0
-            walls: [{image: what.png, resolution: 1}]      | 2:17  | Image 'what.png' can't be read: it is no image
+            walls: [{image: what.png, resolution: 1}]      | 2:17  | Image 'what.png' can't be read: it is not an image
             walls: [{map: offcie}]                         | 2:15  | There is no map 'offcie'
             things: {wall: {body: {radius: 1}}}            | 2:16  | 'wall' can't be a name here
             things: {wall-1: {body: {radius: 1}}}          | 2:18  | two of the name 'wall-1'
@@ -637,7 +637,7 @@ class YamlFormatTest {
             robots: {r: {}}                                | 2:13  | 'robots.r.model' is missing
             robots: {r: {model: pioner2dx}}                | 2:21  | Maybe 'pioneer2dx' was meant?
             robots: {r: {model: pioneer2dx, devices: {laser: urg4lx}}} | 2:50 | Maybe 'urg04lx' was meant?
-            robots: {a/b: {model: pioneer2dx}}             | 2:15  | a slash is what sets devices off
+            robots: {a/b: {model: pioneer2dx}}             | 2:15  | a slash separates robots from devices
             robots: {r: {model: pioneer2dx, pose: {free: 3}}} | 2:46 | can only be true
             robots: {r: {model: pioneer2dx, pose: {free: true, within: [50, 50, 51, 51]}}} | 2:13 | no free place for robot 'r'
             robots: {r: {model: pioneer2dx, pose: {free: true, within: [5, 0, 1, 1]}}} | 2:60 | 'robots.r.pose.within' must be [left, bottom
@@ -687,7 +687,7 @@ class YamlFormatTest {
                         .errors())
                 .singleElement()
                 .asString()
-                .contains("A piece of its body stands on 'arm', which is no actuator.");
+                .contains("A piece of its body stands on 'arm', which is not an actuator.");
     }
 
     @ParameterizedTest

@@ -30,7 +30,7 @@ final class OfferedPort implements AutoCloseable {
                     at, offered, protocol, () -> Offered.seconds(scheduler.instant()), System::nanoTime, scheduler);
         } catch (IOException e) {
             throw new IOException(
-                    "Nobody may listen at '%s:%d': %s.".formatted(at.getHostString(), at.getPort(), e.getMessage()), e);
+                    "RSAL can't listen at '%s:%d': %s.".formatted(at.getHostString(), at.getPort(), e.getMessage()), e);
         }
     }
 

@@ -51,6 +51,6 @@ abstract class OfferedSensor<T> extends Offered {
 
     /// What it answers to a request that it understands, by its newest reading.
     Record body(T newest, int subtype) {
-        throw new IllegalArgumentException("Nothing is known of request '%d'.".formatted(subtype));
+        throw new IllegalArgumentException("Request '%d' is not known.".formatted(subtype));
     }
 }

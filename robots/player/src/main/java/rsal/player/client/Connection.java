@@ -95,7 +95,7 @@ public final class Connection implements AutoCloseable {
             String ident = Chars.text(introduction);
             if (introduction.length < Session.IDENT || !ident.startsWith("Player")) {
                 throw new MalformedException(
-                        "'%s' is no Player server; it begins with '%s'.".formatted(server, printable(introduction)));
+                        "'%s' is not a Player server; it begins with '%s'.".formatted(server, printable(introduction)));
             }
             var connection = new Connection(socket, delivery.pulls(socket.getInetAddress()), ident, onData);
             socket.setSoTimeout(0);
@@ -222,7 +222,7 @@ public final class Connection implements AutoCloseable {
                 given = waiting.size() > MOST_ASKED ? waiting.poll() : null;
             } else {
                 answer.completeExceptionally(
-                        new IOException(lost.isDone() ? lost.join() : "It is closed, or too much is asked."));
+                        new IOException(lost.isDone() ? lost.join() : "It is closed, or has too many requests."));
             }
         }
         if (given != null) {
@@ -287,7 +287,7 @@ public final class Connection implements AutoCloseable {
         }
         roundBegan = System.nanoTime();
         if (!outbox.request(Packet.of(Session.SERVER, MessageKind.REQUEST, Session.DATA, 0)) && !lost.isDone()) {
-            end("The server takes nothing: too much waits for it.");
+            end("The server accepts nothing: too many messages wait for it.");
         }
     }
 

@@ -76,7 +76,7 @@ final class PlayerGripper extends PlayerSensor<GripperState> implements Gripper 
 
     @Override
     Optional<GripperState> read(Record body) {
-        throw new AssertionError("It is put together from what several devices say.");
+        throw new AssertionError("It is combined from readings of several devices.");
     }
 
     @Override

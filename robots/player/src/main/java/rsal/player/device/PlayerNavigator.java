@@ -219,7 +219,7 @@ final class PlayerNavigator extends DeviceCore implements Navigator, Remote {
             end(new Result.Reached(mapFromBase));
         } else if (Duration.between(now.valid, time).compareTo(NO_PATH) > 0) {
             stop();
-            end(new Result.NoPath("The robot's own planner has no way there."));
+            end(new Result.NoPath("The robot's own planner has no path to the goal."));
         } else if (Duration.between(now.nearer, time).compareTo(STUCK) > 0) {
             stop();
             end(new Result.Stuck(mapFromBase, driving, "It got no nearer for %d s.".formatted(STUCK.toSeconds())));

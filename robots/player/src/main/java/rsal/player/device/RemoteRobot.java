@@ -189,7 +189,7 @@ public final class RemoteRobot {
                         name,
                         (info, at) -> new PlayerNavigator(info, at.address, at.server, base, scheduler));
             case Part.Light _, Part.Registered _ ->
-                throw new IllegalArgumentException("'%s' is refused before.".formatted(part.name()));
+                throw new IllegalArgumentException("'%s' was refused before.".formatted(part.name()));
         }
     }
 

@@ -46,7 +46,7 @@ public final class RemoteServer implements AutoCloseable {
     private final Map<Key, DeviceData> newest = new LinkedHashMap<>(); // guarded by itself
     private final CompletableFuture<ServerOffer> offer = new CompletableFuture<>();
     private final Listeners<Optional<String>> listeners =
-            new Listeners<>(e -> LOG.log(System.Logger.Level.ERROR, "Somebody who minds a Player server failed.", e));
+            new Listeners<>(e -> LOG.log(System.Logger.Level.ERROR, "A listener of a Player server failed.", e));
     private volatile @Nullable Connection connection; // set on the scheduler's thread
     private String reason = "Nobody has answered yet.";
 
@@ -88,7 +88,7 @@ public final class RemoteServer implements AutoCloseable {
         return scheduler.within(patience, offer).handle((_, error) -> {
             if (error != null) {
                 throw new CompletionException(new IOException(
-                        "There is no Player server at '%s': %s. Start that of the robot; or serve simulated robots: rsal bridge player SCENARIO --no-agents."
+                        "There is no Player server at '%s': %s. Start the robot's server; or serve simulated robots: rsal bridge player SCENARIO --no-agents."
                                 .formatted(name, reason),
                         error));
             }
@@ -293,7 +293,7 @@ public final class RemoteServer implements AutoCloseable {
     public void close() {
         link.close();
         connection = null;
-        reason = "It was let go.";
+        reason = "It was closed.";
         members().forEach(member -> member.device.lost(reason));
         members.clear();
     }

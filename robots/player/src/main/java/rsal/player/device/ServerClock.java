@@ -15,7 +15,7 @@ final class ServerClock {
     private Duration least = Duration.ZERO; // of this window, that a stamp is behind its arrival
     private Duration leastBefore = Duration.ZERO; // of the window before it
 
-    /// @param stamp of the server's clock [s]; what is no time counts as now
+    /// @param stamp of the server's clock [s]; what is not a time counts as now
     synchronized Instant taken(double stamp, Instant arrival) {
         if (!(Math.abs(stamp) < 1e11)) {
             return arrival;

@@ -26,7 +26,7 @@ import rsal.player.wire.MessageKind;
 import rsal.player.wire.Packet;
 
 /// A client of one port. One thread reads what it wants, one writes what it gets. Whatever it does wrong is its
-/// own loss: what can't be understood is left out, and what is no message ends the connection.
+/// own loss: what can't be understood is left out, and what is not a message ends the connection.
 final class Peer {
     private static final int LARGEST = 1 << 20; // bytes of a body; no client has more to say
     private static final int CAPABILITY = 255; // a request to any device
@@ -97,7 +97,7 @@ final class Peer {
                 packet = Packet.read(in, LARGEST);
             }
         } catch (IOException e) {
-            // it has gone, or says what is no message: the same to us
+            // it has gone, or says what is not a message: the same to us
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } finally {

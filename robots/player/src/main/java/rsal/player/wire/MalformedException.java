@@ -2,7 +2,7 @@ package rsal.player.wire;
 
 import java.io.IOException;
 
-/// What came is no message of Player's.
+/// What came is not a message of Player's.
 public final class MalformedException extends IOException {
     private static final long serialVersionUID = 1;
 

@@ -118,7 +118,7 @@ class PlayerBridgeTest extends BridgeBench {
             int first = second.getLocalPort() - 1;
             assertThatThrownBy(() -> both(two, first))
                     .isInstanceOf(IOException.class)
-                    .hasMessageStartingWith("Nobody may listen at '")
+                    .hasMessageStartingWith("RSAL can't listen at '")
                     .hasMessageContaining(Integer.toString(first + 1));
             new ServerSocket(first, 1, InetAddress.getLoopbackAddress()).close();
             assertThatThrownBy(() -> both(two, 65_535)).hasMessageContaining("There is no port '65536'");
@@ -581,7 +581,7 @@ class PlayerBridgeTest extends BridgeBench {
             try (PlayerBridge empty = PlayerBridge.open(at, context, Protocol.V3_1, run)) {
                 assertThatThrownBy(() -> empty.join(robot()))
                         .isInstanceOf(IOException.class)
-                        .hasMessageStartingWith("Nobody may listen at 'localhost:" + taken + "':");
+                        .hasMessageStartingWith("RSAL can't listen at 'localhost:" + taken + "':");
                 assertThat(empty.offers()).isEmpty();
             }
         }

@@ -361,7 +361,7 @@ class ConnectionTest {
         try (ScriptedServer.Client web = server.accept("HTTP/1.1 400 Bad Request\r\nServer: x")) {
             assertThatThrownBy(() -> result(opening))
                     .rootCause()
-                    .hasMessageContaining("is no Player server; it begins with 'HTTP/1.1 400 Bad Request??");
+                    .hasMessageContaining("is not a Player server; it begins with 'HTTP/1.1 400 Bad Request??");
             assertThat(web.in().read()).as("it is let go").isEqualTo(-1);
         }
     }

@@ -128,7 +128,7 @@ final class BagFiles implements Closeable {
 
     /// Reads all files: twice, as where frames are on the robot may stand anywhere.
     ///
-    /// @throws BrokenLog when one is no bag, or there are no scans
+    /// @throws BrokenLog when one is not a bag, or there are no scans
     void read(LaserHints hints, LogCollector log) throws IOException {
         var reader = new BagReader(name, hints, log);
         try {

@@ -279,7 +279,7 @@ final class BagReader {
         if (!scan.isPossible()) {
             log.skip(
                     number,
-                    "a laser that can't be",
+                    "an impossible laser",
                     "Its first angle is '%s', the angle between readings '%s'."
                             .formatted(scan.angleMin(), scan.angleIncrement()),
                     true);

@@ -14,7 +14,7 @@ final class McapBag implements BagFile {
     private final McapFile file;
     private final BagTopics<Channel> topics = new BagTopics<>();
 
-    /// @throws rsal.mcap.InvalidMcap when it is no MCAP
+    /// @throws rsal.mcap.InvalidMcap when it is not an MCAP file
     McapBag(Path path) throws IOException {
         file = McapFile.open(path);
         file.channels().forEach(channel -> topics.put(channel, topic(channel)));

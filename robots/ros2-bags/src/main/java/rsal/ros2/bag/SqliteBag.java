@@ -26,7 +26,7 @@ final class SqliteBag implements BagFile {
 
     /// Reads all ids of messages once, to count them.
     ///
-    /// @throws InvalidSqlite when it is no database of SQLite, or no bag
+    /// @throws InvalidSqlite when it is not a database of SQLite, or no bag
     SqliteBag(Path path) throws IOException {
         file = SqliteFile.open(path);
         try {

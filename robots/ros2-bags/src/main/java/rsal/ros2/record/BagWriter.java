@@ -123,7 +123,7 @@ public final class BagWriter implements Closeable {
     private static void delete(Path folder) throws IOException {
         Path metadata = folder.resolve(BagMetadata.NAME);
         List<String> files = BagMetadata.files(metadata)
-                .orElseThrow(() -> new FileAlreadyExistsException(folder.toString(), null, "it is no bag"));
+                .orElseThrow(() -> new FileAlreadyExistsException(folder.toString(), null, "it is not a bag"));
         for (String file : files) {
             Files.deleteIfExists(folder.resolve(file));
         }

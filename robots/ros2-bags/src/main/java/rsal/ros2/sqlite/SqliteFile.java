@@ -50,7 +50,7 @@ public final class SqliteFile implements Closeable {
 
     /// Opens a file and reads which tables it has.
     ///
-    /// @throws InvalidSqlite when it is no database, or was not closed by the program that wrote it
+    /// @throws InvalidSqlite when it is not a database, or was not closed by the program that wrote it
     public static SqliteFile open(Path path) throws IOException {
         checkClosed(path);
         FileChannel file = FileChannel.open(path, StandardOpenOption.READ);
@@ -68,7 +68,8 @@ public final class SqliteFile implements Closeable {
         ByteBuffer header = ByteBuffer.allocate(HEADER).order(ByteOrder.BIG_ENDIAN);
         while (header.hasRemaining() && file.read(header, header.position()) >= 0) {}
         if (header.hasRemaining() || !header.slice(0, MAGIC.length).equals(ByteBuffer.wrap(MAGIC))) {
-            throw new InvalidSqlite("File '%s' is no database of SQLite: it does not begin like one.".formatted(path));
+            throw new InvalidSqlite(
+                    "File '%s' is not a database of SQLite: it does not begin like one.".formatted(path));
         }
         int reported = Short.toUnsignedInt(header.getShort(16));
         int size = reported == 1 ? 1 << 16 : reported;

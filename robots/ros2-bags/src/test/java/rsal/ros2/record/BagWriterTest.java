@@ -85,7 +85,7 @@ class BagWriterTest {
         assertThat(moved.resolve("metadata.yaml")).content().contains("message_count: 0", "[]");
     }
 
-    /// Whatever may be lost by force: what is no bag is not.
+    /// Whatever may be lost by force: what is not a bag is not.
     @Test
     void aFolderOfSomethingElseIsKept() throws Exception {
         Path recording = Files.writeString(folder.resolve("run.mcap"), "a recording");

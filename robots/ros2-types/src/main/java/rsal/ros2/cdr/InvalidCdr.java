@@ -1,6 +1,6 @@
 package rsal.ros2.cdr;
 
-/// Bytes that are no message of their type. Its message says at which byte, and what is wrong.
+/// Bytes that are not a message of their type. Its message says at which byte, and what is wrong.
 public final class InvalidCdr extends Exception {
     private static final long serialVersionUID = 1;
 

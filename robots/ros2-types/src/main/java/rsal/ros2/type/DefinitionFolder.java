@@ -35,7 +35,7 @@ public final class DefinitionFolder {
     public static List<RosType> read(Path folder) {
         if (!Files.isDirectory(folder)) {
             throw new InvalidDefinition(
-                    "'%s' is no folder. Give one with files such as my_msgs/msg/Gas.msg.".formatted(folder));
+                    "'%s' is not a folder. Give one with files such as my_msgs/msg/Gas.msg.".formatted(folder));
         }
         Map<String, Found> all = new LinkedHashMap<>();
         for (Path file : files(folder)) {
@@ -95,8 +95,9 @@ public final class DefinitionFolder {
         String of = file.getName(count - 3).toString();
         for (String each : List.of(of, name)) {
             if (!NAME.matcher(each).matches()) {
-                throw new InvalidDefinition("%s: '%s' is no name in ROS. It may have letters, digits and underscores."
-                        .formatted(file, each));
+                throw new InvalidDefinition(
+                        "%s: '%s' is not a name in ROS. It may have letters, digits and underscores."
+                                .formatted(file, each));
             }
         }
         try {
@@ -105,7 +106,7 @@ public final class DefinitionFolder {
             }
             return DefinitionReader.file("%s/%s/%s".formatted(of, kind, name), Files.readString(file), file.toString());
         } catch (CharacterCodingException e) {
-            throw new InvalidDefinition("%s is no text in UTF-8.".formatted(file));
+            throw new InvalidDefinition("%s is not text in UTF-8.".formatted(file));
         } catch (IOException e) {
             throw new InvalidDefinition("%s can't be read: %s".formatted(file, e.getMessage()));
         }

@@ -160,8 +160,8 @@ public final class DefinitionReader {
     private static Field field(String type, String place, String content) {
         Matcher field = FIELD.matcher(content);
         if (!field.matches()) {
-            throw new InvalidDefinition(
-                    "%s: '%s' is no field. Write a type and a name, as 'float32 range_min'.".formatted(place, content));
+            throw new InvalidDefinition("%s: '%s' is not a field. Write a type and a name, as 'float32 range_min'."
+                    .formatted(place, content));
         }
         int most = field.group("most") == null ? 0 : Integer.parseInt(field.group("most"));
         Element element = element(type, field.group("element"), most);
@@ -211,7 +211,7 @@ public final class DefinitionReader {
     private static void checkName(String name) {
         if (!name.matches("[A-Za-z]\\w*/(msg|srv|action)/[A-Za-z]\\w*")) {
             throw new InvalidDefinition(
-                    "'%s' is no name of a type. Write it in full, as 'sensor_msgs/msg/LaserScan'.".formatted(name));
+                    "'%s' is not a name of a type. Write it in full, as 'sensor_msgs/msg/LaserScan'.".formatted(name));
         }
     }
 

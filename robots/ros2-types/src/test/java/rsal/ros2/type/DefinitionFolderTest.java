@@ -76,12 +76,12 @@ class DefinitionFolderTest {
 
     @ParameterizedTest
     @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
-            my_msgs/msg/Gas.msg       | float32 co2;float32       | my_msgs/msg/Gas.msg:2: 'float32' is no field. Write a type
-            my_msgs/srv/Heat.srv      | bool on;---;#;bool        | my_msgs/srv/Heat.srv:4: 'bool' is no field
+            my_msgs/msg/Gas.msg       | float32 co2;float32       | my_msgs/msg/Gas.msg:2: 'float32' is not a field. Write a type
+            my_msgs/srv/Heat.srv      | bool on;---;#;bool        | my_msgs/srv/Heat.srv:4: 'bool' is not a field
             my_msgs/srv/Heat.srv      | bool on                   | my_msgs/srv/Heat.srv has 1 parts, separated by '---', instead of 2
             my_msgs/action/Sniff.action | int8 a;---;---;int8[0] b | my_msgs/action/Sniff.action:4: 'b' needs a number above 0
-            my-msgs/msg/Gas.msg       | float32 co2               | 'my-msgs' is no name in ROS
-            my_msgs/msg/2Gas.msg      | float32 co2               | '2Gas' is no name in ROS
+            my-msgs/msg/Gas.msg       | float32 co2               | 'my-msgs' is not a name in ROS
+            my_msgs/msg/2Gas.msg      | float32 co2               | '2Gas' is not a name in ROS
             """)
     void whatIsWrongIsSaidWithItsFileAndLine(String file, String text, String message) throws IOException {
         write(file, text.replace(';', '\n'));
@@ -94,10 +94,10 @@ class DefinitionFolderTest {
     @Test
     void aFolderThatIsNoneOrHasNothingIsRefused() throws IOException {
         assertThatThrownBy(() -> DefinitionFolder.read(folder.resolve("none")))
-                .hasMessageContaining("is no folder. Give one with files such as my_msgs/msg/Gas.msg.");
+                .hasMessageContaining("is not a folder. Give one with files such as my_msgs/msg/Gas.msg.");
         assertThatThrownBy(() -> DefinitionFolder.read(folder)).hasMessageContaining("has no definitions");
         Files.write(Files.createDirectories(folder.resolve("a/msg")).resolve("A.msg"), new byte[] {(byte) 0xff, 0});
-        assertThatThrownBy(() -> DefinitionFolder.read(folder)).hasMessageContaining("is no text in UTF-8");
+        assertThatThrownBy(() -> DefinitionFolder.read(folder)).hasMessageContaining("is not text in UTF-8");
         Files.write(folder.resolve("a/msg/A.msg"), new byte[1_000_001]);
         assertThatThrownBy(() -> DefinitionFolder.read(folder)).hasMessageContaining("has more than 1000000 bytes");
     }

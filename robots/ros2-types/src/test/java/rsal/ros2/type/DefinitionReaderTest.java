@@ -98,11 +98,11 @@ class DefinitionReaderTest {
 
     @ParameterizedTest
     @CsvSource(quoteCharacter = '`', textBlock = """
-            float32,            'float32' is no field
-            float32 9lives,     'float32 9lives' is no field
+            float32,            'float32' is not a field
+            float32 9lives,     'float32 9lives' is not a field
             float32[0] none,    'none' needs a number above 0
             float32[<=] none,   'none' needs a number above 0
-            float32[-1] none,   'float32[-1] none' is no field
+            float32[-1] none,   'float32[-1] none' is not a field
             """)
     void errorsAreToldWithTheirLine(String text, String message) {
         assertThatThrownBy(() -> DefinitionReader.message("a_msgs/msg/A", "\n" + text))
@@ -113,7 +113,7 @@ class DefinitionReaderTest {
     @Test
     void namesAreWrittenInFull() {
         assertThatThrownBy(() -> DefinitionReader.message("LaserScan", ""))
-                .hasMessageContaining("'LaserScan' is no name of a type");
+                .hasMessageContaining("'LaserScan' is not a name of a type");
         assertThatThrownBy(() -> DefinitionReader.service("a_msgs/srv/A", "int8 x\n"))
                 .hasMessageContaining("a_msgs/srv/A has 1 parts, separated by '---', instead of 2.");
     }

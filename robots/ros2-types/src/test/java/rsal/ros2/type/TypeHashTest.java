@@ -36,7 +36,7 @@ class TypeHashTest {
             TypeLibrary library = TypeLibrary.of(each.distribution());
             RosType type = library.find(each.type()).orElse(null);
             if (type == null) {
-                continue; // a service or an action as a whole, which is no message
+                continue; // a service or an action as a whole, which is not a message
             }
             count++;
             String hash = TypeHash.of(type, library);

@@ -69,7 +69,8 @@ public final class ActionClient {
                 return Optional.of("The robot did not answer within %d s.".formatted(ANSWER.toSeconds()));
             }
             return hasFeedback && listener.tellsSteadily() && silence.compareTo(SILENCE) > 0
-                    ? Optional.of("The robot has told nothing of the goal for %d s.".formatted(SILENCE.toSeconds()))
+                    ? Optional.of(
+                            "The robot has reported nothing about the goal for %d s.".formatted(SILENCE.toSeconds()))
                     : Optional.empty();
         }
     }

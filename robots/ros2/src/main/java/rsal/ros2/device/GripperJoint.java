@@ -25,7 +25,7 @@ final class GripperJoint {
     private final double one;
     private final double effort;
     private Supplier<Stamped<GripperState>> reported = () -> {
-        throw new IllegalStateException("Nobody tells how the gripper is.");
+        throw new IllegalStateException("Nothing publishes the state of the gripper.");
     };
     private double position = Double.NaN;
     private int target;
@@ -59,7 +59,7 @@ final class GripperJoint {
         if (action.isAvailable()) {
             resume();
         } else {
-            end(state -> new Result.Stuck(state, "Nobody serves its action."));
+            end(state -> new Result.Stuck(state, "No server offers its action."));
         }
         return next;
     }

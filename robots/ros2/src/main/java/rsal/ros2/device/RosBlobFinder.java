@@ -99,7 +99,7 @@ final class RosBlobFinder extends RosSensor<Blobs> implements BlobFinder {
                 range));
     }
 
-    /// Of a box, in the image; 0 where it is no number.
+    /// Of a box, in the image; 0 where it is not a number.
     private static int edge(double at, int size) {
         return (int) Math.round(Math.clamp(Double.isNaN(at) ? 0 : at, 0, size));
     }

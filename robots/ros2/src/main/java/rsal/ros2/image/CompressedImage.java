@@ -65,7 +65,7 @@ public final class CompressedImage {
         }
         if (data.length <= DEPTH_HEADER + PNG.length
                 || !Arrays.equals(data, DEPTH_HEADER, DEPTH_HEADER + PNG.length, PNG, 0, PNG.length)) {
-            throw new Unreadable("its depth is no PNG");
+            throw new Unreadable("its depth is not a PNG");
         }
         ByteBuffer header = ByteBuffer.wrap(data).order(ByteOrder.LITTLE_ENDIAN);
         float a = header.getFloat(Integer.BYTES);

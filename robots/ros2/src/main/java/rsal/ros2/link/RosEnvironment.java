@@ -38,7 +38,7 @@ public record RosEnvironment(Optional<Integer> domain, Range range, List<String>
     }
 
     /// @param variables of a process
-    /// @throws IllegalArgumentException when the domain is no number
+    /// @throws IllegalArgumentException when the domain is not a number
     public static RosEnvironment of(Map<String, String> variables) {
         return new RosEnvironment(domain(value(variables, DOMAIN)), range(variables), peers(value(variables, PEERS)));
     }
@@ -52,7 +52,7 @@ public record RosEnvironment(Optional<Integer> domain, Range range, List<String>
             return text.isEmpty() ? Optional.empty() : Optional.of(Integer.valueOf(text));
         } catch (NumberFormatException e) {
             throw new IllegalArgumentException(
-                    "%s is '%s', which is no number. Set one from 0 to 232.".formatted(DOMAIN, text), e);
+                    "%s is '%s', which is not a number. Set one from 0 to 232.".formatted(DOMAIN, text), e);
         }
     }
 

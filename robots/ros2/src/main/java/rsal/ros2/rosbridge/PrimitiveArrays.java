@@ -120,7 +120,7 @@ final class PrimitiveArrays {
                     var bytes = ByteBuffer.wrap(Base64.getDecoder().decode(text));
                     yield new Packed(primitive, NumberArray.of(new WireValue.Numbers(NumberArray.UINT8, bytes)));
                 } catch (IllegalArgumentException e) {
-                    throw new InvalidMessage("A text is no Base64: %s".formatted(e.getMessage()), e);
+                    throw new InvalidMessage("A text is not Base64: %s".formatted(e.getMessage()), e);
                 }
             }
             default -> throw new NotFitting(value);

@@ -93,7 +93,7 @@ final class RosbridgeSession {
             heard = scheduler.instant();
             try {
                 if (!(reading.read() instanceof WireValue.Fields fields)) {
-                    throw new InvalidMessage("It is no object.");
+                    throw new InvalidMessage("It is not an object.");
                 }
                 String operation = fields.text("op").orElseThrow(() -> new InvalidMessage("It has no 'op'."));
                 if (operation.equals("publish")) {

@@ -41,7 +41,7 @@ final class ValueReader {
         try (JsonParser parser = JSON.createParser(ObjectReadContext.empty(), text)) {
             return new ValueReader(parser).whole();
         } catch (JacksonException e) {
-            throw new InvalidMessage("It is no JSON: %s".formatted(e.getOriginalMessage()), e);
+            throw new InvalidMessage("It is not JSON: %s".formatted(e.getOriginalMessage()), e);
         }
     }
 
@@ -52,7 +52,7 @@ final class ValueReader {
         try (JsonParser parser = CBOR.createParser(ObjectReadContext.empty(), copy)) {
             return new ValueReader(parser).whole();
         } catch (JacksonException e) {
-            throw new InvalidMessage("It is no CBOR: %s".formatted(e.getOriginalMessage()), e);
+            throw new InvalidMessage("It is not CBOR: %s".formatted(e.getOriginalMessage()), e);
         }
     }
 

@@ -60,7 +60,7 @@ public final class WebSocketTransport implements RosbridgeTransport {
             case HttpConnectTimeoutException _ -> "it does not answer within %d s".formatted(PATIENCE.toSeconds());
             case ConnectException _ -> "nobody listens there";
             case WebSocketHandshakeException refused ->
-                "it is no WebSocket server (HTTP %d)"
+                "it is not a WebSocket server (HTTP %d)"
                         .formatted(refused.getResponse().statusCode());
             case SSLException e -> "TLS failed, maybe this Java does not trust its certificate: " + e.getMessage();
             default ->

@@ -49,7 +49,7 @@ final class EntityFilter {
             return new Read.Filter(new EntityFilter(Pattern.compile(filter), categories));
         } catch (PatternSyntaxException e) {
             return new Read.Refused(ResultCode.failed(
-                    "The filter '%s' is no regular expression: %s.".formatted(filter, e.getDescription())));
+                    "The filter '%s' is not a regular expression: %s.".formatted(filter, e.getDescription())));
         }
     }
 

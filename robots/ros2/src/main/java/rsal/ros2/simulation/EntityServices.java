@@ -321,7 +321,7 @@ final class EntityServices {
         if (!name.matches(NAME)) {
             return Optional.of(new ResultCode(
                     NAME_INVALID,
-                    "'%s' is no name: it has 1 to 64 letters, digits, '_' or '-', and begins with a letter."
+                    "'%s' is not a name: it has 1 to 64 letters, digits, '_' or '-', and begins with a letter."
                             .formatted(name)));
         }
         if (!isFree(name)) {

@@ -37,8 +37,8 @@ final class RobotFindings {
                 findings.add(finding(namespace, true, all, ""));
             } else if (robots.stream().noneMatch(robot -> isBelow(robot, namespace))) {
                 String lacking = String.join(" and ", lacking(namespace, endpoints));
-                findings.add(
-                        finding(namespace, false, has, "It is no robot that can be driven: it lacks " + lacking + "."));
+                findings.add(finding(
+                        namespace, false, has, "It is not a robot that can be driven: it lacks " + lacking + "."));
             }
         });
         return findings;

@@ -345,7 +345,7 @@ public final class Ros2Provider implements RobotSystemProvider {
             String namespace = all.get(i).startsWith("/") ? all.get(i) : "/" + all.get(i);
             if (!NAMESPACE.matcher(namespace).matches()) {
                 throw new IllegalArgumentException(
-                        "'%s' is no namespace of ROS 2. Write one such as /robot1.".formatted(namespace));
+                        "'%s' is not a namespace of ROS 2. Write one such as /robot1.".formatted(namespace));
             }
             if (namespaces.containsValue(namespace)) {
                 throw new IllegalArgumentException("Two robots have the namespace '%s'.".formatted(namespace));

@@ -181,7 +181,7 @@ class SimulationServerTest extends RobotBench {
     void filtersThatCantBeAreRefused() {
         RosMessage open = call("GetEntities", Map.of("filters.filter", "b["));
         assertThat(code(open)).isEqualTo(4);
-        assertThat(why(open)).startsWith("The filter 'b[' is no regular expression:");
+        assertThat(why(open)).startsWith("The filter 'b[' is not a regular expression:");
         assertThat(code(call("GetEntities", Map.of("filters.tags.tags", List.of("big")))))
                 .isZero();
         assertThat(code(call("GetEntities", Map.of("filters.bounds.type", 1L)))).isZero();

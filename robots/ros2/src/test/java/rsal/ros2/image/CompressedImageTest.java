@@ -120,9 +120,9 @@ class CompressedImageTest {
     @Test
     void depthThatCantBeIsRefused() throws Exception {
         assertThatThrownBy(() -> CompressedImage.readDepth(new byte[40], "16UC1; compressedDepth rvl"))
-                .hasMessage("its depth is no PNG");
+                .hasMessage("its depth is not a PNG");
         assertThatThrownBy(() -> CompressedImage.readDepth(new byte[3], "16UC1; compressedDepth png"))
-                .hasMessage("its depth is no PNG");
+                .hasMessage("its depth is not a PNG");
         assertThatThrownBy(() -> CompressedImage.readDepth(new byte[40], "rgb8; compressedDepth"))
                 .hasMessage("depth is read in 16UC1 and 32FC1 only");
         byte[] colored = depth(BufferedImage.TYPE_INT_RGB);

@@ -48,7 +48,7 @@ class RosNetworkTest {
         assertThat(environment.words()).isEqualTo("ROS_DOMAIN_ID=42 ROS_STATIC_PEERS=10.0.0.7;10.0.0.8");
         assertThat(RosEnvironment.of(Map.of())).isEqualTo(RosEnvironment.NONE);
         assertThatThrownBy(() -> RosEnvironment.of(Map.of("ROS_DOMAIN_ID", "five")))
-                .hasMessage("ROS_DOMAIN_ID is 'five', which is no number. Set one from 0 to 232.");
+                .hasMessage("ROS_DOMAIN_ID is 'five', which is not a number. Set one from 0 to 232.");
     }
 
     @Test

@@ -116,7 +116,7 @@ class Ros2DiagnosisTest {
                 .containsExactly(
                         tuple(true, "'/deep' has cmd_vel, odometry"), tuple(false, "'/odd' has cmd_vel, odometry"));
         assertThat(findings.getLast().remedy())
-                .isEqualTo("It is no robot that can be driven: it lacks a subscriber of 'cmd_vel' (%s)."
+                .isEqualTo("It is not a robot that can be driven: it lacks a subscriber of 'cmd_vel' (%s)."
                         .formatted("geometry_msgs/msg/Twist or geometry_msgs/msg/TwistStamped"));
     }
 

@@ -371,7 +371,7 @@ class Ros2SystemTest {
         }
     }
 
-    /// What is no message is left out, and the next one is read.
+    /// What is not a message is left out, and the next one is read.
     @Test
     void malformedMessagesDisturbNobody() {
         robotIsThere("geometry_msgs/msg/Twist");
@@ -394,6 +394,7 @@ class Ros2SystemTest {
         assertThatThrownBy(() -> provider.create(
                         new Config(settings, Scene.of(RobotBench.WORLD.grid()), List.of(spec("r1")), 1), run))
                 .isInstanceOf(InvalidRobots.class)
-                .hasMessageContaining("'%s' is no namespace of ROS 2. Write one such as /robot1.".formatted(namespace));
+                .hasMessageContaining(
+                        "'%s' is not a namespace of ROS 2. Write one such as /robot1.".formatted(namespace));
     }
 }

@@ -258,7 +258,8 @@ class RosNavigatorTest {
         assertThat(result.orElseThrow())
                 .isInstanceOfSatisfying(
                         Result.Stuck.class,
-                        stuck -> assertThat(stuck.why()).isEqualTo("The robot has told nothing of the goal for 10 s."));
+                        stuck -> assertThat(stuck.why())
+                                .isEqualTo("The robot has reported nothing about the goal for 10 s."));
         assertThat(canceled).isEqualTo(sent);
     }
 

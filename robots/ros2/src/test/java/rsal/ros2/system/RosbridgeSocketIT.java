@@ -236,7 +236,7 @@ class RosbridgeSocketIT {
         HttpServer pages = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
         pages.start();
         try {
-            refused(pages.getAddress().getPort(), "it is no WebSocket server (HTTP 404)");
+            refused(pages.getAddress().getPort(), "it is not a WebSocket server (HTTP 404)");
         } finally {
             pages.stop(0);
         }

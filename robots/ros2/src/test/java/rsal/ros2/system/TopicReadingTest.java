@@ -91,7 +91,7 @@ class TopicReadingTest {
     void aFolderThatCantBeReadIsOneSentence() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> TopicReading.definitions("/nowhere/msgs"))
-                .withMessage("'/nowhere/msgs' is no folder. Give one with files such as my_msgs/msg/Gas.msg.");
+                .withMessage("'/nowhere/msgs' is not a folder. Give one with files such as my_msgs/msg/Gas.msg.");
         assertThat(TopicReading.definitions("")).isEmpty();
     }
 }

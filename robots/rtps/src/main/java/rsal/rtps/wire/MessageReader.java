@@ -37,11 +37,11 @@ public final class MessageReader {
     }
 
     /// @param datagram from its position to its limit; payloads are parts of it
-    /// @throws InvalidRtps when it is no message, or a submessage is malformed; those before it were received
+    /// @throws InvalidRtps when it is not a message, or a submessage is malformed; those before it were received
     public static void read(ByteBuffer datagram, Receiver receiver) throws InvalidRtps {
         ByteBuffer bytes = datagram.slice().order(ByteOrder.BIG_ENDIAN);
         if (bytes.limit() < HEADER || bytes.getInt() != RTPS) {
-            throw new InvalidRtps("%d bytes are no message of RTPS.".formatted(bytes.limit()));
+            throw new InvalidRtps("%d bytes are not a message of RTPS.".formatted(bytes.limit()));
         }
         int version = bytes.get();
         if (version != VERSION) {

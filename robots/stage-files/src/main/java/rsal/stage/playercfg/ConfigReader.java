@@ -231,7 +231,7 @@ final class ConfigReader {
         if (read.isEmpty()) {
             findings.error(
                     value.location(),
-                    "'%s' has %s, which is no device.".formatted(name, WorldProblems.shortened(value.describe())),
+                    "'%s' has %s, which is not a device.".formatted(name, WorldProblems.shortened(value.describe())),
                     ADDRESS);
             return read;
         }

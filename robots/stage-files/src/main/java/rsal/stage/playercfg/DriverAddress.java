@@ -20,7 +20,7 @@ public record DriverAddress(String key, String host, OptionalInt port, String ty
     private static final int MOST_INDEX = 65_535;
     private static final int PARTS = 5;
 
-    /// @return empty when a text is no address
+    /// @return empty when a text is not an address
     static Optional<DriverAddress> parse(String text, Location location) {
         List<String> parts = List.of(text.split(":", -1));
         int missing = PARTS - parts.size();

@@ -114,7 +114,9 @@ final class MapFile {
         }
         if (numbers.size() < 2 || numbers.stream().anyMatch(number -> !(Math.abs(number) <= 1e6))) {
             throw new InvalidSettings(
-                    origin.location(), "Its 'origin' is no place.", "Write origin [X Y], with the lower left corner.");
+                    origin.location(),
+                    "Its 'origin' is not a position.",
+                    "Write origin [X Y], with the lower left corner.");
         }
         return Optional.of(new Point2d(numbers.get(0) * config.meters(), numbers.get(1) * config.meters()));
     }

@@ -159,7 +159,7 @@ final class Options {
         return new Value.Mapping(driver.location(), entries, keys);
     }
 
-    /// What is no number stays as it is: the one that takes it says what is wrong with it.
+    /// What is not a number stays as it is: the one that takes it says what is wrong with it.
     private Value inUnits(Value value, Unit unit) {
         if (!(value instanceof Value.Scalar scalar) || !(scalar.value() instanceof Number number)) {
             return value;
@@ -189,7 +189,7 @@ final class Options {
         driver.option(START)
                 .ifPresent(wrong -> findings.warn(
                         wrong.location(),
-                        "'%s' has no effect: it is no pose.".formatted(START),
+                        "'%s' has no effect: it is not a pose.".formatted(START),
                         "Write %s [X Y HEADING].".formatted(START)));
         return Optional.empty();
     }

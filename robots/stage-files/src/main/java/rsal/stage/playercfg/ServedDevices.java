@@ -48,7 +48,7 @@ final class ServedDevices {
 
     /// What stands behind a device that is served.
     ///
-    /// @param robot empty when it is no robot's
+    /// @param robot empty when it is not a robot's
     private record Source(Optional<String> robot, String device) {}
 
     /// Drivers by which a robot finds its way.

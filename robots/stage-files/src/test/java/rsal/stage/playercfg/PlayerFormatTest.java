@@ -377,8 +377,8 @@ class PlayerFormatTest {
                 "filename \"map.pgm\" resolution -1 | Its 'resolution' is not from 0.001 to 100 [m].",
                 "resolution 1 | It names no file.",
                 "filename 7 resolution 1 | It names no file.",
-                "filename \"map.pgm\" resolution 1 origin 7 | Its 'origin' is no place.",
-                "filename \"map.pgm\" resolution 1 origin [1] | Its 'origin' is no place.",
+                "filename \"map.pgm\" resolution 1 origin 7 | Its 'origin' is not a position.",
+                "filename \"map.pgm\" resolution 1 origin [1] | Its 'origin' is not a position.",
                 "filename \"test.cfg\" resolution 1 | it is neither a PGM"
             })
     void aMapThatCanNotBeReadIsMadeOfTheWorld(String said, String why) {
@@ -408,7 +408,7 @@ class PlayerFormatTest {
         String wrong = PLANNER.replace("init_pose [-21.0 4.0 0]", "init_pose [1 2]");
         assertThat(localizer(wrong).mapFromStart()).isEmpty();
         assertThat(configs(UHH + wrong).warnings())
-                .anyMatch(w -> w.contains("'init_pose' has no effect: it is no pose."));
+                .anyMatch(w -> w.contains("'init_pose' has no effect: it is not a pose."));
     }
 
     private static Software localizer(String planner) {
@@ -546,10 +546,10 @@ class PlayerFormatTest {
                 "driver ( name \"stage\" provides [\"positon2d:0\"] model \"r0\" ) | 2:33 | Maybe 'position2d' was meant?",
                 "driver ( name \"stage\" provides [\"position:0\"] model \"r0\" ) | 2:33 | Maybe 'position2d' was meant?",
                 "driver ( name \"stage\" provides [\"position2d:0\"] model \"somebody\" ) | 2:55 | It has r0, r1, r3, box.",
-                "driver ( name \"stage\" provides [\"position2d\"] model \"r0\" ) | 2:33 | is no device",
-                "driver ( name \"stage\" provides [\"position2d:x\"] model \"r0\" ) | 2:33 | is no device",
-                "driver ( name \"stage\" provides [\"0:position2d:0\"] model \"r0\" ) | 2:33 | is no device",
-                "driver ( name \"stage\" provides [3] model \"r0\" ) | 2:33 | 'provides' has '3', which is no device",
+                "driver ( name \"stage\" provides [\"position2d\"] model \"r0\" ) | 2:33 | is not a device",
+                "driver ( name \"stage\" provides [\"position2d:x\"] model \"r0\" ) | 2:33 | is not a device",
+                "driver ( name \"stage\" provides [\"0:position2d:0\"] model \"r0\" ) | 2:33 | is not a device",
+                "driver ( name \"stage\" provides [3] model \"r0\" ) | 2:33 | 'provides' has '3', which is not a device",
                 "driver ( name \"stage\" model \"r0\" ) | 2:1 | 'stage' provides nothing",
                 "driver ( provides [\"position2d:0\"] model \"r0\" ) | 2:1 | has no 'name'",
                 "driver ( name \"mapfile\" provides [\"map:0\" \"6665:map:0\"] ) | 2:43 | is provided twice; the first time at etc/test.cfg:2:35",

@@ -176,12 +176,12 @@ public final class Agents implements AutoCloseable {
         }
         if (byHand == MOST_BY_HAND) {
             return new Answer.Refused(
-                    "People have started agents %d times in this run, which is all they may. Maybe the scenario starts them."
+                    "People have started agents %d times in this run, which is the maximum. Maybe let the scenario start them."
                             .formatted(MOST_BY_HAND));
         }
         Optional<String> missing = agent.robot().filter(robot -> !team.has(robot) || faults.isGone(robot));
         if (missing.isPresent()) {
-            return new Answer.Refused("Robot '%s' is not there, for which it would act.".formatted(missing.get()));
+            return new Answer.Refused("Its robot '%s' is not in this run.".formatted(missing.get()));
         }
         Optional<PlannedAgent> before = planned(agent.name());
         byHand++;

@@ -94,11 +94,9 @@ public final class OperatorMessages {
                 .filter(one -> ALL.stream().anyMatch(known -> known.topic().equals(topic)))
                 .findFirst()
                 .map(one -> phrase(one, typed))
-                .orElseThrow(() ->
-                        new IllegalArgumentException("Nothing can be said by hand on topic '%s'; it can on %s."
-                                .formatted(
-                                        topic,
-                                        ALL.stream().map(OperatorMessage::topic).toList())));
+                .orElseThrow(() -> new IllegalArgumentException("People can't send messages on topic '%s', only on %s."
+                        .formatted(
+                                topic, ALL.stream().map(OperatorMessage::topic).toList())));
     }
 
     private static <M> Phrase<M> phrase(Topic<M> topic, Map<String, String> typed) {
@@ -121,7 +119,7 @@ public final class OperatorMessages {
             return new Phrase<>(topic, type.getDeclaredConstructor(types).newInstance(values));
         } catch (InvocationTargetException e) {
             throw new IllegalArgumentException(
-                    "That is no '%s': %s"
+                    "This is not a '%s': %s"
                             .formatted(
                                     topic.name(),
                                     Objects.requireNonNull(e.getCause()).getMessage()),

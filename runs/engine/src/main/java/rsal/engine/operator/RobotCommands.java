@@ -113,7 +113,7 @@ public final class RobotCommands {
         return switch (map.at(column, row)) {
             case OccupancyGrid.FREE -> Optional.empty();
             case OccupancyGrid.UNKNOWN ->
-                Optional.of(new Answer.Refused("The map does not know what is at %s.".formatted(where)));
+                Optional.of(new Answer.Refused("%s is in unknown space of the map.".formatted(where)));
             default -> Optional.of(new Answer.Refused("There is a wall at %s.".formatted(where)));
         };
     }

@@ -15,7 +15,7 @@ import rsal.device.SimulationControl.Standing;
 /// @param outcome how the run ended; empty while it goes on
 /// @param robots that are there
 /// @param team all robots that are or were there, in the order in which they came; the same list until it grows
-/// @param things what of the simulated world is no robot
+/// @param things what of the simulated world is not a robot
 /// @param links which robots' agents hear each other, and did within a second, as it was once in this second of the
 /// run; of more than 50 robots none, and `ofChosen`
 public record Snapshot(

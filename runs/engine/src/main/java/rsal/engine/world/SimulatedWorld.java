@@ -131,7 +131,7 @@ public final class SimulatedWorld {
         return placements;
     }
 
-    /// What of it is no robot, nor stands in for one.
+    /// What of it is not a robot, nor stands in for one.
     public List<Standing> things() {
         List<Standing> all = systems.simulation().map(SimulationControl::things).orElse(List.of());
         return hasProxies

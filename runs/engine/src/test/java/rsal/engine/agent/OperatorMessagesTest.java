@@ -64,11 +64,10 @@ class OperatorMessagesTest {
                 .hasMessage("Field 'victim' takes a whole number, not '7.5'.");
         assertThatThrownBy(() -> read("victim-helped", Map.of())).hasMessageContaining("'victim'");
         assertThatThrownBy(() -> read("caught", Map.of("prey", "p", "hunter", "h", "distance", "-1")))
-                .hasMessage("That is no 'caught': A hunter must be at some distance, not '-1.0'.");
+                .hasMessage("This is not a 'caught': A hunter must be at some distance, not '-1.0'.");
         assertThatThrownBy(() -> read("text", Map.of("words", " ")))
                 .hasMessage("Field 'words' takes words, and is empty.");
         assertThatThrownBy(() -> read("pose-request", Map.of())).hasMessage("Field 'robot' takes words, and is empty.");
-        assertThatThrownBy(() -> read("ranks", Map.of()))
-                .hasMessageStartingWith("Nothing can be said by hand on topic");
+        assertThatThrownBy(() -> read("ranks", Map.of())).hasMessageStartingWith("People can't send messages on topic");
     }
 }

@@ -8,7 +8,7 @@ public record Share(int count, int of) {
 
     public Share {
         if (count < 0 || of < 1 || count > of) {
-            throw new IllegalArgumentException("(%d of %d) is no share.".formatted(count, of));
+            throw new IllegalArgumentException("(%d of %d) is not a share.".formatted(count, of));
         }
     }
 

@@ -13,8 +13,8 @@ public enum FaultKind {
     FROZEN("frozen", Of.SENSORS, "Sensors show what they showed last, as if it were new."),
     BIASED("biased", Of.SENSORS, "Sensors measure with a constant error."),
     NOISY("noisy", Of.SENSORS, "Sensors measure with Gaussian errors besides those that they have anyway."),
-    MOTOR_DEAD("motorDead", Of.BASES, "Motors do less than they are commanded."),
-    SLIP("slip", Of.BASES, "Odometry counts more than robots make."),
+    MOTOR_DEAD("motorDead", Of.BASES, "Motors are weaker than commanded."),
+    SLIP("slip", Of.BASES, "Odometry counts more than robots drive (slip)."),
     GONE("gone", Of.ROBOTS, "Robots are gone, their devices are lost, and their agents neither hear nor are heard."),
     LOST("lost", Of.MESSAGES, "Messages are lost."),
     LATE("late", Of.MESSAGES, "Messages come late."),
@@ -43,9 +43,9 @@ public enum FaultKind {
     private static final String RANGE = "range";
     private static final String ANGLE = "angle";
     private static final Parameter<Double> RANGE_BIAS =
-            Parameter.number(RANGE, 0, -100, 100, "m", "By how much all is farther away; a pose: farther ahead.");
+            Parameter.number(RANGE, 0, -100, 100, "m", "Offset of all ranges; of a pose: ahead.");
     private static final Parameter<Double> ANGLE_BIAS =
-            Parameter.number(ANGLE, 0, -180, 180, "deg", "By how much all is more to the left.");
+            Parameter.number(ANGLE, 0, -180, 180, "deg", "Offset to the left.");
     private static final Parameter<Double> RANGE_NOISE =
             Parameter.number(RANGE, 0, 0, 100, "m", "Standard deviation of ranges; of a pose: ahead and aside.");
     private static final Parameter<Double> ANGLE_NOISE =
@@ -114,7 +114,8 @@ public enum FaultKind {
             case MOTOR_DEAD -> new Fault.MotorDead(arguments.get(POWER));
             case SLIP -> new Fault.Slip(arguments.get(WAY), arguments.get(TURN), arguments.radians(DRIFT));
             case GONE -> new Fault.Gone(arguments.get(STAYS));
-            case LOST, LATE, DOUBLED -> throw new IllegalStateException("'%s' is no fault of robots.".formatted(word));
+            case LOST, LATE, DOUBLED ->
+                throw new IllegalStateException("'%s' is not a fault of robots.".formatted(word));
         };
     }
 
@@ -124,7 +125,7 @@ public enum FaultKind {
             case LOST -> new Mishap.Lost();
             case LATE -> new Mishap.Late(delay);
             case DOUBLED -> new Mishap.Doubled(delay);
-            default -> throw new IllegalStateException("'%s' is no fault of messages.".formatted(word));
+            default -> throw new IllegalStateException("'%s' is not a fault of messages.".formatted(word));
         };
     }
 }

@@ -125,7 +125,7 @@ public final class BareJason implements BareLanguage {
             try {
                 return (long) ((NumberTerm) counts.next().getTerm(0)).solve();
             } catch (NoValueException e) {
-                throw new IllegalStateException("The count is no number.", e);
+                throw new IllegalStateException("The count is not a number.", e);
             }
         }
 

@@ -125,7 +125,7 @@ final class PursuitModel {
                 return floor.lengths(from)[i];
             }
         }
-        throw new IllegalArgumentException("Places '%d' and '%d' are no neighbors.".formatted(from, to));
+        throw new IllegalArgumentException("Places '%d' and '%d' are not neighbors.".formatted(from, to));
     }
 
     private double arrival(int place) {
