@@ -42,9 +42,37 @@ class Observe:
         return {"type": "nearest", "role": role, "count": count, "max": reach}
 
     @staticmethod
-    def place(x: float, y: float, *, reach: float = 100.0) -> Words:
-        """Observe where a place of the map is, by the truth: x and y in the base frame [m]."""
-        return {"type": "place", "x": x, "y": y, "max": reach}
+    def place(x: float, y: float, *, source: str = "truth", reach: float = 100.0) -> Words:
+        """Observe where a place of the map is: x and y in the base frame [m].
+
+        ``source`` of the robot's pose is the ``localizer`` or the ``truth``.
+        """
+        return {"type": "place", "x": x, "y": y, "from": source, "max": reach}
+
+    @staticmethod
+    def markers(
+        *,
+        first: int = 0,
+        last: int = 1_000_000,
+        count: int = 1,
+        visited: float = 0.0,
+        home: float = 0.0,
+        reach: float = 10.0,
+    ) -> Words:
+        """Observe the nearest markers that the robot sees: x and y in the base frame [m], and 1 if there is one.
+
+        Only ids from ``first`` to ``last`` count. With ``visited``, a marker does not count any more once it has been
+        nearer than this; with ``home``, markers that near the robot's start do not count.
+        """
+        return {
+            "type": "markers",
+            "first": first,
+            "last": last,
+            "count": count,
+            "visited": visited,
+            "home": home,
+            "max": reach,
+        }
 
 
 class Act:

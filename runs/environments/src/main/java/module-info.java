@@ -18,5 +18,6 @@ module rsal.environments {
             rsal.environment.PoseObservation,
             rsal.environment.VelocityObservation,
             rsal.environment.NearestObservation,
+            rsal.environment.MarkersObservation,
             rsal.environment.PlaceObservation;
 }

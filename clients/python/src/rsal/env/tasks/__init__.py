@@ -1,0 +1,18 @@
+"""Tasks to learn, each declared once: ``rsal.env.tasks.NAVIGATION.parallel_env()``.
+
+A task is a scenario, the robots that learn, what they observe and do, a reward, and a score of whole episodes. The
+scenarios are files beside this one. Gymnasium knows the tasks as ``rsal/Navigation-v0`` and so on.
+"""
+
+from __future__ import annotations
+
+from rsal.env.tasks._navigation import NAVIGATION
+
+from rsal.env.tasks._task import Policy, Task, Team, make, register
+
+TASKS: dict[str, Task] = {task.name: task for task in (NAVIGATION,)}
+"""All tasks, by name."""
+
+register(TASKS)
+
+__all__ = ["NAVIGATION", "TASKS", "Policy", "Task", "Team", "make"]
