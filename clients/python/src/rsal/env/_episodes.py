@@ -102,7 +102,8 @@ class Episodes:
         over = worlds.step(given)
         running = ~self._over
         self._steps += 1
-        rewards = self._rewards(given.reshape(self.count, len(self.layout.learners), len(self.layout.action_fields)), over)
+        shape = self.count, len(self.layout.learners), len(self.layout.action_fields)
+        rewards = self._rewards(given.reshape(shape), over)
         self._collisions = worlds.collisions
         terminated = np.array([over.get(world, _TIMEOUT) != _TIMEOUT for world in range(self.count)])
         late = np.zeros(self.count, bool) if self._max_steps is None else self._steps >= self._max_steps
@@ -127,21 +128,22 @@ class Episodes:
         elif self._reward is not None:
             new = worlds.collisions - self._collisions
             for world in np.flatnonzero(~self._over):
-                rewards[world] = self._reward(
-                    View(
-                        layout=layout,
-                        world=world,
-                        observations=worlds.observations[world],
-                        actions=actions[world],
-                        all_poses=worlds.poses[world],
-                        all_collisions=worlds.collisions[world],
-                        new_collisions=new[world],
-                        time=float(self._steps[world]) * layout.period,
-                        outcome=over.get(world, ""),
-                        metrics=lambda world=world: worlds.metrics()[world],  # type: ignore[misc]
-                        floor=self._floor,
-                    )
+                view = View(
+                    layout=layout,
+                    world=int(world),
+                    observations=worlds.observations[world],
+                    actions=actions[world],
+                    all_poses=worlds.poses[world],
+                    all_collisions=worlds.collisions[world],
+                    new_collisions=new[world],
+                    time=float(self._steps[world]) * layout.period,
+                    outcome=over.get(int(world), ""),
+                    metrics=lambda world=world: worlds.metrics()[world],  # type: ignore[misc]
+                    floor=self._floor,
                 )
+                reward = self._reward(view)
+                if layout.learners:  # without any, only scores are asked for
+                    rewards[world] = reward
         return rewards
 
     def _floor(self) -> tuple[npt.NDArray[np.int8], float, tuple[float, float]]:

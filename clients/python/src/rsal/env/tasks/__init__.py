@@ -7,12 +7,12 @@ scenarios are files beside this one. Gymnasium knows the tasks as ``rsal/Navigat
 from __future__ import annotations
 
 from rsal.env.tasks._navigation import NAVIGATION
-
+from rsal.env.tasks._pursuit import PURSUIT
 from rsal.env.tasks._task import Policy, Task, Team, make, register
 
-TASKS: dict[str, Task] = {task.name: task for task in (NAVIGATION,)}
+TASKS: dict[str, Task] = {task.name: task for task in (NAVIGATION, PURSUIT)}
 """All tasks, by name."""
 
 register(TASKS)
 
-__all__ = ["NAVIGATION", "TASKS", "Policy", "Task", "Team", "make"]
+__all__ = ["NAVIGATION", "PURSUIT", "TASKS", "Policy", "Task", "Team", "make"]

@@ -30,7 +30,8 @@ class Approach(Rules):
         before = now if view.is_first else self._before[view.world]
         self._before[view.world] = now
         end = {"success": self._success, "failure": -self._failure}.get(view.outcome, 0.0)
-        return before - now + end - self._collision * view.collisions
+        reward = before - now + end
+        return reward - self._collision * view.collisions if view.layout.learners else reward
 
     def score(self, world: int, ending: dict[str, Any]) -> float:  # noqa: ARG002 - of the interface
         """Return the time until success [s]; the limit for all other ends."""
