@@ -42,6 +42,8 @@ class Shape:
         for number, field in enumerate(layout.fields):
             if field.endswith(("[m/s]", "[rad/s]")):
                 self.scale[number] = 1.0
+            elif field.startswith("range "):
+                self.scale[number] = 2.0  # what is farther away does not matter now
         self.low, self.high, self.choices = layout.action_low, layout.action_high, layout.choices
         outputs = layout.choices or len(layout.action_fields)
         sizes = [len(layout.fields), hidden, outputs] if hidden else [len(layout.fields), outputs]

@@ -30,7 +30,7 @@ NAVIGATION = Task(
         Observe.place(*_GOAL, source="localizer", reach=14.0),
     ),
     act=Act.velocity(forward=0.5, turn=1.5),
-    rules=lambda: _Crossing(_LIMIT),
+    rules=lambda: _Crossing(_LIMIT, failure=3.0),
     score=f"time until the goal [s]; {_LIMIT:.0f} after a collision",
     better="less",
     max_steps=450,
