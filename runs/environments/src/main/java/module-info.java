@@ -15,6 +15,8 @@ module rsal.environments {
     provides rsal.environment.ActionType with
             rsal.environment.VelocityAction,
             rsal.environment.DiscreteAction,
+            rsal.environment.CarryAction,
+            rsal.environment.PlaceAction,
             rsal.environment.GoalAction;
     provides rsal.environment.ObservationType with
             rsal.environment.RangesObservation,
@@ -22,5 +24,10 @@ module rsal.environments {
             rsal.environment.VelocityObservation,
             rsal.environment.NearestObservation,
             rsal.environment.MarkersObservation,
+            rsal.environment.GripperObservation,
+            rsal.environment.HomeObservation,
+            rsal.environment.SlotObservation,
+            rsal.environment.VisitedObservation,
+            rsal.environment.IdlenessObservation,
             rsal.environment.PlaceObservation;
 }

@@ -6,13 +6,31 @@ scenarios are files beside this one. Gymnasium knows the tasks as ``rsal/Navigat
 
 from __future__ import annotations
 
+from rsal.env.tasks._coverage import COVERAGE
+from rsal.env.tasks._foraging import FORAGING
+from rsal.env.tasks._formation import FORMATION
 from rsal.env.tasks._navigation import NAVIGATION
+from rsal.env.tasks._patrol import PATROL
 from rsal.env.tasks._pursuit import PURSUIT
 from rsal.env.tasks._task import Policy, Task, Team, make, register
 
-TASKS: dict[str, Task] = {task.name: task for task in (NAVIGATION, PURSUIT)}
+TASKS: dict[str, Task] = {
+    task.name: task for task in (NAVIGATION, PURSUIT, COVERAGE, FORMATION, FORAGING, PATROL)
+}
 """All tasks, by name."""
 
 register(TASKS)
 
-__all__ = ["NAVIGATION", "PURSUIT", "TASKS", "Policy", "Task", "Team", "make"]
+__all__ = [
+    "COVERAGE",
+    "FORAGING",
+    "FORMATION",
+    "NAVIGATION",
+    "PATROL",
+    "PURSUIT",
+    "TASKS",
+    "Policy",
+    "Task",
+    "Team",
+    "make",
+]
