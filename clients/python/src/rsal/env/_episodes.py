@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rsal.env._spec import Spec
-from rsal.env._view import Reward, View
+from rsal.env._view import Reward, Rules, View
 from rsal.env._worlds import Floats, Integers, Layout, Worlds
 from rsal.launch import RsalError
 
@@ -49,6 +49,8 @@ class Episodes:
         self._steps = np.zeros(count, np.int64)
         self._collisions: Integers = np.zeros((count, 0), np.int32)  # after the last step or reset
         self._measured: list[float] = [0.0] * count
+        self._over = np.zeros(count, bool)
+        self._map: tuple[npt.NDArray[np.int8], float, tuple[float, float]] | None = None
 
     @property
     def worlds(self) -> Worlds:
@@ -90,6 +92,7 @@ class Episodes:
         self._collisions = self.worlds.collisions
         for world in which:
             self._steps[world] = 0
+            self._over[world] = False
             self._measured[world] = 0.0
 
     def step(self, actions: npt.ArrayLike) -> Step:
@@ -97,13 +100,19 @@ class Episodes:
         worlds = self.worlds
         given = np.asarray(actions, np.float32)
         over = worlds.step(given)
+        running = ~self._over
         self._steps += 1
-        rewards = self._rewards(given.reshape(self.count, len(self.layout.learners), -1), over)
+        shape = self.count, len(self.layout.learners), len(self.layout.action_fields)
+        rewards = self._rewards(given.reshape(shape), over)
         self._collisions = worlds.collisions
         terminated = np.array([over.get(world, _TIMEOUT) != _TIMEOUT for world in range(self.count)])
         late = np.zeros(self.count, bool) if self._max_steps is None else self._steps >= self._max_steps
         truncated = ~terminated & (late | np.array([world in over for world in range(self.count)]))
-        endings = {int(world): worlds.finish(int(world)) for world in np.flatnonzero(terminated | truncated)}
+        endings = {int(world): worlds.finish(int(world)) for world in np.flatnonzero((terminated | truncated) & running)}
+        if isinstance(self._reward, Rules):
+            for world, ending in endings.items():
+                ending["score"] = self._reward.score(world, ending)
+        self._over |= terminated | truncated
         return Step(worlds.observations, rewards, terminated, truncated, endings)
 
     def _rewards(self, actions: Floats, over: dict[int, str]) -> Floats:
@@ -111,26 +120,36 @@ class Episodes:
         rewards = np.zeros((self.count, len(layout.learners)), np.float32)
         if isinstance(self._reward, str):
             for world, metrics in enumerate(worlds.metrics()):
+                if self._over[world]:
+                    continue
                 value = metrics.get(self._reward, self._measured[world])
                 rewards[world] = value - self._measured[world]
                 self._measured[world] = value
         elif self._reward is not None:
             new = worlds.collisions - self._collisions
-            for world in range(self.count):
-                rewards[world] = self._reward(
-                    View(
-                        layout=layout,
-                        observations=worlds.observations[world],
-                        actions=actions[world],
-                        all_poses=worlds.poses[world],
-                        all_collisions=worlds.collisions[world],
-                        new_collisions=new[world],
-                        time=float(self._steps[world]) * layout.period,
-                        outcome=over.get(world, ""),
-                        metrics=lambda world=world: worlds.metrics()[world],  # type: ignore[misc]
-                    )
+            for world in np.flatnonzero(~self._over):
+                view = View(
+                    layout=layout,
+                    world=int(world),
+                    observations=worlds.observations[world],
+                    actions=actions[world],
+                    all_poses=worlds.poses[world],
+                    all_collisions=worlds.collisions[world],
+                    new_collisions=new[world],
+                    time=float(self._steps[world]) * layout.period,
+                    outcome=over.get(int(world), ""),
+                    metrics=lambda world=world: worlds.metrics()[world],  # type: ignore[misc]
+                    floor=self._floor,
                 )
+                reward = self._reward(view)
+                if layout.learners:  # without any, only scores are asked for
+                    rewards[world] = reward
         return rewards
+
+    def _floor(self) -> tuple[npt.NDArray[np.int8], float, tuple[float, float]]:
+        if self._map is None:
+            self._map = self.worlds.map()
+        return self._map
 
     def close(self) -> None:
         """End the process; the next reset starts another one."""

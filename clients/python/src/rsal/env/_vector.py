@@ -18,7 +18,7 @@ class VectorScenario:
     """Worlds that step together. A world whose episode has ended begins another one in the next step.
 
     That step gives its first observations and no reward, whatever its action is: ``AutoresetMode.NEXT_STEP`` of
-    Gymnasium.
+    Gymnasium. Without ``autoreset``, such a world gives no reward and stays over until the next reset.
     """
 
     def __init__(
@@ -29,8 +29,10 @@ class VectorScenario:
         threads: int | None = None,
         reward: Reward | str | None = None,
         max_steps: int | None = None,
+        autoreset: bool = True,
     ) -> None:
         self.num_envs = num_envs
+        self._autoreset = autoreset
         self._episodes = Episodes(spec, num_envs, threads, reward, max_steps)
         self._ended = np.zeros(num_envs, bool)
 
@@ -71,7 +73,7 @@ class VectorScenario:
         done = self._episodes.step(actions)
         observations, rewards = done.observations, done.rewards
         terminated, truncated, endings = done.terminated, done.truncated, done.endings
-        again = [int(world) for world in np.flatnonzero(before)]
+        again = [int(world) for world in np.flatnonzero(before)] if self._autoreset else []
         if again:
             observations = self._episodes.restart(again)
             rewards[again] = 0
@@ -97,10 +99,11 @@ def make_vec(
     max_steps: int | None = None,
     threads: int | None = None,
     arguments: Mapping[str, Any] | None = None,
+    autoreset: bool = True,
 ) -> VectorScenario:
     """Make many worlds of a scenario, of which ``threads`` are simulated at once.
 
-    All other parameters are those of :func:`parallel_env`.
+    Without ``autoreset``, a world whose episode has ended stays over until the next reset. All other parameters are those of :func:`parallel_env`.
     """
     spec = Spec.of(scenario=scenario, learners=learners, observe=observe, act=act, steps=steps, arguments=arguments)
-    return VectorScenario(spec, num_envs, threads=threads, reward=reward, max_steps=max_steps)
+    return VectorScenario(spec, num_envs, threads=threads, reward=reward, max_steps=max_steps, autoreset=autoreset)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +17,8 @@ class View:
     """One world after a step, by the truth of the simulation. Arrays are valid during the call only."""
 
     layout: Layout
+    world: int
+    """The number of the world, for rewards that remember something of each."""
     observations: Floats
     """By learner, then by number."""
     actions: Floats
@@ -32,6 +35,13 @@ class View:
     """How the scenario ended the episode; empty while it goes on."""
     metrics: Callable[[], dict[str, float]] = field(repr=False)
     """Asks for the metrics of the scenario as they are now, which takes some time."""
+    floor: Callable[[], tuple[npt.NDArray[np.int8], float, tuple[float, float]]] = field(repr=False)
+    """Asks for the map: its cells by rows from below, the side of a cell [m], and the lower left corner [m]."""
+
+    @property
+    def is_first(self) -> bool:
+        """Whether this is the first step of its episode."""
+        return self.time <= 1.5 * self.layout.period
 
     def robots(self, role: str) -> npt.NDArray[np.intp]:
         """Return the numbers of the robots with a role."""
@@ -57,3 +67,18 @@ class View:
 
 Reward = Callable[[View], "npt.ArrayLike"]
 """Gives the reward of each learner after a step, or one number for all of them."""
+
+
+class Rules:
+    """A reward that also scores whole episodes: each end of an episode then has a ``score``."""
+
+    def __call__(self, view: View) -> npt.ArrayLike:
+        """Return the reward of each learner after a step, or one number for all of them."""
+        raise NotImplementedError
+
+    def score(self, world: int, ending: dict[str, Any]) -> float:
+        """Return the score of the episode that has just ended in a world.
+
+        :param ending: its outcome, seconds, metrics and event hash
+        """
+        raise NotImplementedError

@@ -18,7 +18,7 @@ import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedRobot;
 
 /// One run of an environment, from its reset to its end. Of one thread at a time.
-public final class Episode implements AutoCloseable {
+public final class Episode implements Truth, AutoCloseable {
     static final int TRUTH = 3; // numbers of a pose
 
     private final Blueprint blueprint;
@@ -173,18 +173,21 @@ public final class Episode implements AutoCloseable {
         System.arraycopy(collisions, 0, to, at, collisions.length);
     }
 
-    /// The true pose of a robot in `map`; where it was last when it is gone.
-    Pose2d truth(int robot) {
+    @Override
+    public Pose2d truth(int robot) {
         return truth[robot];
     }
 
-    /// The number of a robot, in the order of the plan.
-    int number(String robot) {
+    /// {@inheritDoc}
+    ///
+    /// In the order of the plan.
+    @Override
+    public int number(String robot) {
         return numbers.getOrDefault(robot, -1);
     }
 
-    /// Numbers of the robots that have a role; of all robots, if it is empty.
-    int[] numbers(String role) {
+    @Override
+    public int[] numbers(String role) {
         return plan.robots().stream()
                 .map(PlannedRobot::spec)
                 .filter(robot -> role.isEmpty() || robot.role().equals(role))

@@ -14,12 +14,12 @@ public interface LearnerObservation {
     /// The greatest value of any of its numbers.
     float high();
 
-    /// Reads it from a robot, for one episode.
+    /// Reads it from a robot, for one world.
     ///
     /// @throws IllegalArgumentException when the robot lacks what it needs
-    Reader of(Robot robot, Episode episode);
+    Reader of(Robot robot, Truth world);
 
-    /// Writes the numbers of one robot as they are now. On the thread that steps the episode.
+    /// Writes the numbers of one robot as they are now. On the thread that steps the world.
     @FunctionalInterface
     interface Reader {
         /// @param at index of its first number

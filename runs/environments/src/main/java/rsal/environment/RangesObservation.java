@@ -69,7 +69,7 @@ public final class RangesObservation implements ObservationType {
         }
 
         @Override
-        public Reader of(Robot robot, Episode episode) {
+        public Reader of(Robot robot, Truth world) {
             Device sensor = robot.devices().stream()
                     .filter(RangeSensor.class::isInstance)
                     .filter(each -> device.isEmpty() || each.info().name().equals(device))

@@ -42,7 +42,7 @@ public final class VelocityObservation implements ObservationType {
         }
 
         @Override
-        public Reader of(Robot robot, Episode episode) {
+        public Reader of(Robot robot, Truth world) {
             DriveBase base = robot.require(DriveBase.class);
             return (to, at) -> {
                 Twist2d velocity =
