@@ -10,8 +10,8 @@ import rsal.settings.Parameter;
 
 /// Where the robot has started, in its base frame, by its localizer. Real robots have it.
 public final class HomeObservation implements ObservationType {
-    private static final Parameter<Double> MAX = Parameter.number(
-            "max", 100, 0.1, 10_000, "m", "Greatest coordinate; those beyond count as this one.");
+    private static final Parameter<Double> MAX =
+            Parameter.number("max", 100, 0.1, 10_000, "m", "Greatest coordinate; those beyond count as this one.");
 
     @Override
     public String key() {
@@ -40,13 +40,13 @@ public final class HomeObservation implements ObservationType {
         }
 
         @Override
-        public float low() {
-            return -max;
+        public float[] low() {
+            return new float[] {-max, -max};
         }
 
         @Override
-        public float high() {
-            return max;
+        public float[] high() {
+            return new float[] {max, max};
         }
 
         @Override

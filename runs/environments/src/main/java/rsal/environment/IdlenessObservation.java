@@ -62,13 +62,13 @@ public final class IdlenessObservation implements ObservationType {
         }
 
         @Override
-        public float low() {
-            return -max;
+        public float[] low() {
+            return Bounds.repeated(places.size(), -max, -max, 0);
         }
 
         @Override
-        public float high() {
-            return max;
+        public float[] high() {
+            return Bounds.repeated(places.size(), max, max, max);
         }
 
         @Override

@@ -8,11 +8,11 @@ public interface LearnerObservation {
     /// What each number is, with its unit: `forward [m/s]`.
     List<String> fields();
 
-    /// The least value of any of its numbers.
-    float low();
+    /// The least value of each number.
+    float[] low();
 
-    /// The greatest value of any of its numbers.
-    float high();
+    /// The greatest value of each number.
+    float[] high();
 
     /// Reads it from a robot, for one world.
     ///

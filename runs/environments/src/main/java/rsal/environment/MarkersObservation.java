@@ -37,8 +37,8 @@ public final class MarkersObservation implements ObservationType {
             100,
             "m",
             "Markers within this distance of the robot's start do not count, by its localizer; 0 for all.");
-    private static final Parameter<Double> MAX = Parameter.number(
-            "max", 10, 0.1, 1000, "m", "Greatest coordinate; those beyond count as this one.");
+    private static final Parameter<Double> MAX =
+            Parameter.number("max", 10, 0.1, 1000, "m", "Greatest coordinate; those beyond count as this one.");
 
     @Override
     public String key() {
@@ -80,13 +80,13 @@ public final class MarkersObservation implements ObservationType {
         }
 
         @Override
-        public float low() {
-            return -Math.max(1, max);
+        public float[] low() {
+            return Bounds.repeated(count, -max, -max, 0);
         }
 
         @Override
-        public float high() {
-            return Math.max(1, max);
+        public float[] high() {
+            return Bounds.repeated(count, max, max, 1);
         }
 
         @Override

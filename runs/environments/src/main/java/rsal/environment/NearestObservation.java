@@ -54,13 +54,13 @@ public final class NearestObservation implements ObservationType {
         }
 
         @Override
-        public float low() {
-            return -Math.max(1, max);
+        public float[] low() {
+            return Bounds.repeated(count, -max, -max, 0);
         }
 
         @Override
-        public float high() {
-            return Math.max(1, max);
+        public float[] high() {
+            return Bounds.repeated(count, max, max, 1);
         }
 
         @Override

@@ -55,13 +55,13 @@ public final class PlaceObservation implements ObservationType {
         }
 
         @Override
-        public float low() {
-            return -max;
+        public float[] low() {
+            return new float[] {-max, -max};
         }
 
         @Override
-        public float high() {
-            return max;
+        public float[] high() {
+            return new float[] {max, max};
         }
 
         @Override

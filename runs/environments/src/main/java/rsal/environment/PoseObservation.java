@@ -44,13 +44,13 @@ public final class PoseObservation implements ObservationType {
         }
 
         @Override
-        public float low() {
-            return -max;
+        public float[] low() {
+            return new float[] {-max, -max, -1, -1};
         }
 
         @Override
-        public float high() {
-            return max;
+        public float[] high() {
+            return new float[] {max, max, 1, 1};
         }
 
         @Override

@@ -15,13 +15,19 @@ import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
 
-/// Ranges of a laser or of sonars, in sectors from right to left: of each sector the least one. Nothing in reach, and
-/// no reading, are the greatest range.
+/// Ranges of a laser or of sonars, in sectors: of each sector the least one. Those of a laser are from right to left,
+/// those of sonars in the order of the device, which is from left to right for a Pioneer's. Nothing in reach, and no
+/// reading, are the greatest range. With fewer beams than sectors, each sector has the beam that is next to its middle.
 public final class RangesObservation implements ObservationType {
     private static final Parameter<String> DEVICE =
             Parameter.text("device", "", "Name of the laser or the sonars. Default: the first one of the robot.");
     private static final Parameter<Integer> SECTORS = Parameter.integer(
-            "sectors", 36, 1, 10_000, "", "Number of sectors: at most one for each beam of the sensor.");
+            "sectors",
+            36,
+            1,
+            10_000,
+            "",
+            "Number of sectors. With fewer beams, each sector has the beam that is next to its middle.");
     private static final Parameter<Double> MAX =
             Parameter.number("max", 8, 0.01, 1000, "m", "Greatest range; longer ones count as this one.");
 
@@ -59,13 +65,13 @@ public final class RangesObservation implements ObservationType {
         }
 
         @Override
-        public float low() {
-            return 0;
+        public float[] low() {
+            return Bounds.repeated(sectors, 0);
         }
 
         @Override
-        public float high() {
-            return max;
+        public float[] high() {
+            return Bounds.repeated(sectors, max);
         }
 
         @Override
@@ -107,9 +113,14 @@ public final class RangesObservation implements ObservationType {
 
         private void fill(float[] ranges, double least, float[] to, int at) {
             for (int sector = 0; sector < sectors; sector++) {
+                int beam = (int) ((long) sector * ranges.length / sectors);
                 int end = (int) ((long) (sector + 1) * ranges.length / sectors);
+                if (ranges.length > 0 && ranges.length < sectors) {
+                    beam = (int) ((2L * sector + 1) * ranges.length / (2L * sectors));
+                    end = beam + 1;
+                }
                 float nearest = max;
-                for (int beam = (int) ((long) sector * ranges.length / sectors); beam < end; beam++) {
+                for (; beam < end; beam++) {
                     double distance = Rep117.distance(ranges[beam], least);
                     if (distance < nearest) { // false for no reading
                         nearest = (float) distance;

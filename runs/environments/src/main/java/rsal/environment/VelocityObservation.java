@@ -32,13 +32,13 @@ public final class VelocityObservation implements ObservationType {
         }
 
         @Override
-        public float low() {
-            return -MAX;
+        public float[] low() {
+            return new float[] {-MAX, -MAX, -MAX};
         }
 
         @Override
-        public float high() {
-            return MAX;
+        public float[] high() {
+            return new float[] {MAX, MAX, MAX};
         }
 
         @Override

@@ -15,8 +15,8 @@ import rsal.settings.Parameter;
 public final class VisitedObservation implements ObservationType {
     private static final Parameter<Integer> DIRECTIONS =
             Parameter.integer("directions", 8, 1, 72, "", "Number of directions, counter-clockwise from ahead.");
-    private static final Parameter<Double> DISTANCE = Parameter.number(
-            "distance", 1.5, 0.1, 100, "m", "How far from the robot the place in each direction is.");
+    private static final Parameter<Double> DISTANCE =
+            Parameter.number("distance", 1.5, 0.1, 100, "m", "How far from the robot the place in each direction is.");
     private static final Parameter<Double> CELL =
             Parameter.number("cell", 0.75, 0.05, 100, "m", "Side of the cells that count as visited.");
 
@@ -49,13 +49,13 @@ public final class VisitedObservation implements ObservationType {
         }
 
         @Override
-        public float low() {
-            return 0;
+        public float[] low() {
+            return Bounds.repeated(directions, 0);
         }
 
         @Override
-        public float high() {
-            return 1;
+        public float[] high() {
+            return Bounds.repeated(directions, 1);
         }
 
         @Override
