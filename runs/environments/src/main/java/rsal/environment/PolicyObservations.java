@@ -32,11 +32,15 @@ public final class PolicyObservations implements ObservationService {
         int[] sizes = observations.stream()
                 .mapToInt(observation -> observation.fields().size())
                 .toArray();
-        return new Own(readers, sizes, action, action.of(learner));
+        return new Own(robot.id(), readers, sizes, action, action.of(learner));
     }
 
     private record Own(
-            List<LearnerObservation.Reader> readers, int[] sizes, LearnerAction action, LearnerAction.Actor actor)
+            String robot,
+            List<LearnerObservation.Reader> readers,
+            int[] sizes,
+            LearnerAction action,
+            LearnerAction.Actor actor)
             implements Observed {
         @Override
         public float[] observe() {
@@ -60,10 +64,7 @@ public final class PolicyObservations implements ObservationService {
             float[] high = action.high();
             var within = new float[given.length];
             for (int i = 0; i < given.length; i++) {
-                if (!Float.isFinite(given[i])) {
-                    throw new IllegalArgumentException(
-                            "Action '%s' must be finite, not '%s'.".formatted(fields.get(i), given[i]));
-                }
+                action.check(i, given[i], robot);
                 within[i] = Math.clamp(given[i], low[i], high[i]);
             }
             actor.act(within, 0);
