@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 Words = dict[str, Any]
 
@@ -14,8 +17,10 @@ class Observe:
 
     @staticmethod
     def ranges(*, sectors: int = 36, max_range: float = 8.0, device: str = "") -> Words:
-        """Observe ranges of a laser or of sonars [m]: of each sector the least one, from right to left.
+        """Observe ranges of a laser or of sonars [m]: of each sector the least one.
 
+        A laser's sectors are from right to left; those of sonars are in the order of the device, which is from left to
+        right for a Pioneer's. With fewer beams than sectors, each sector has the beam that is next to its middle.
         Nothing in reach, and no reading, are ``max_range``. ``device`` is the sensor's name; the first one by default.
         """
         return {"type": "ranges", "sectors": sectors, "max": max_range, "device": device}
@@ -117,7 +122,10 @@ class Act:
 
     @staticmethod
     def discrete(*, speed: float = 0.4, turn: float = 1.0) -> Words:
-        """Choose: stand (0), forward (1), turn left (2), turn right (3), backward (4); speed [m/s] and turn [rad/s]."""
+        """Choose: stand (0), forward (1), turn left (2), turn right (3), backward (4); speed [m/s] and turn [rad/s].
+
+        Other numbers are an error.
+        """
         return {"type": "discrete", "speed": speed, "turn": turn}
 
     @staticmethod
@@ -137,7 +145,12 @@ class Act:
 
 
 def _words(given: str | Mapping[str, Any]) -> Words:
-    return {"type": given} if isinstance(given, str) else dict(given)
+    return {"type": given} if isinstance(given, str) else {name: _plain(value) for name, value in given.items()}
+
+
+def _plain(value: Any) -> Any:
+    """Return numbers and arrays of numpy as those of Python."""
+    return value.tolist() if isinstance(value, np.generic | np.ndarray) else value
 
 
 @dataclass(frozen=True)
@@ -158,7 +171,8 @@ class Spec:
     def of(
         cls,
         *,
-        scenario: str,
+        scenario: str | Path,
+        configuration: str | None = None,
         learners: str,
         observe: Sequence[str | Mapping[str, Any]] | None,
         act: str | Mapping[str, Any] | None,
@@ -168,11 +182,11 @@ class Spec:
         """Fill in what was left out: ranges and velocity are observed, and actions are velocities."""
         seen = [Observe.ranges(), Observe.velocity()] if observe is None else observe
         return cls(
-            scenario=scenario,
+            scenario=f"{scenario}:{configuration}" if configuration else str(scenario),
             learners=learners,
             observe=tuple(_words(each) for each in seen),
             act=_words(Act.velocity() if act is None else act),
-            steps=steps,
+            steps=_plain(steps),
             arguments=dict(arguments or {}),
         )
 
@@ -197,5 +211,6 @@ class Spec:
         }
 
 
-def _text(value: object) -> str:
+def _text(given: object) -> str:
+    value = _plain(given)
     return str(value).lower() if isinstance(value, bool) else str(value)

@@ -10,6 +10,16 @@ import numpy as np
 import numpy.typing as npt
 
 from rsal.env._worlds import Floats, Integers, Layout
+from rsal.launch import RsalError
+
+
+@dataclass(frozen=True)
+class Before:
+    """What was known of all worlds before a step."""
+
+    observations: Floats
+    poses: Floats
+    collisions: Integers
 
 
 @dataclass(frozen=True)
@@ -38,6 +48,27 @@ class View:
     floor: Callable[[], tuple[npt.NDArray[np.int8], float, tuple[float, float]]] = field(repr=False)
     """Asks for the map: its cells by rows from below, the side of a cell [m], and the lower left corner [m]."""
 
+    past: Before = field(repr=False)
+    """What was known of all worlds before the step: :attr:`before` is made of it."""
+
+    @property
+    def before(self) -> View:
+        """The same world before the step, for rewards of progress. It has no actions, and its metrics are not known."""
+        return View(
+            layout=self.layout,
+            world=self.world,
+            observations=self.past.observations[self.world],
+            actions=np.zeros_like(self.actions),
+            all_poses=self.past.poses[self.world],
+            all_collisions=self.past.collisions[self.world],
+            new_collisions=np.zeros_like(self.new_collisions),
+            time=self.time - self.layout.period,
+            outcome="",
+            metrics=_unknown,
+            floor=self.floor,
+            past=self.past,
+        )
+
     @property
     def is_first(self) -> bool:
         """Whether this is the first step of its episode."""
@@ -65,6 +96,10 @@ class View:
         return touched
 
 
+def _unknown() -> dict[str, float]:
+    raise RsalError("Metrics are known of the newest step only. Use view.metrics(), not view.before.metrics().")
+
+
 Reward = Callable[[View], "npt.ArrayLike"]
 """Gives the reward of each learner after a step, or one number for all of them."""
 
@@ -79,6 +114,6 @@ class Rules:
     def score(self, world: int, ending: dict[str, Any]) -> float:
         """Return the score of the episode that has just ended in a world.
 
-        :param ending: its outcome, seconds, metrics and event hash
+        :param ending: its outcome, seconds, metrics, event hash and failed agents
         """
         raise NotImplementedError

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import subprocess
 import tempfile
@@ -15,7 +16,7 @@ import numpy.typing as npt
 
 from rsal import launch
 from rsal.env._spec import Spec
-from rsal.protocol import Frames
+from rsal.protocol import Frames, ProtocolError
 
 Floats = npt.NDArray[np.float32]
 Integers = npt.NDArray[np.int32]
@@ -45,6 +46,8 @@ class Layout:
     action_high: Floats
     choices: int
     """Number of choices; 0 for actions of continuous numbers."""
+    metrics: tuple[str, ...] = ()
+    """Names of the scenario's metrics."""
 
 
 class Worlds:
@@ -52,16 +55,30 @@ class Worlds:
 
     def __init__(self, spec: Spec, seeds: Sequence[int], threads: int = 1) -> None:
         self._owner = os.getpid()
+        words = launch.command(["environments"])
         self._log: IO[bytes] = tempfile.TemporaryFile()  # noqa: SIM115 - it lives as long as the process
-        self._process = subprocess.Popen(
-            launch.command(["environments"]),
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=self._log,
-            env=launch.environment(),
-        )
+        try:
+            self._process = subprocess.Popen(
+                words,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=self._log,
+                env=launch.environment(),
+                **launch.apart(),
+            )
+        except OSError as error:
+            self._log.close()
+            raise launch.RsalError(f"'{words[0]}' cannot be started: {error.strerror}.") from error
         self._frames = Frames(cast(BinaryIO, self._process.stdout), cast(BinaryIO, self._process.stdin))
-        self._end = weakref.finalize(self, _end, self._process, self._log, self._owner)
+        self._end = weakref.finalize(self, _end, self._process, self._frames, self._log, self._owner)
+        self._broken = ""
+        try:
+            self._open(spec, seeds, threads)
+        except BaseException:
+            self.close()
+            raise
+
+    def _open(self, spec: Spec, seeds: Sequence[int], threads: int) -> None:
         self.count = len(seeds)
         words = self._ask(spec.opening(seeds, threads))
         self.layout = Layout(
@@ -75,6 +92,7 @@ class Worlds:
             action_low=np.array(words["actionLow"], np.float32),
             action_high=np.array(words["actionHigh"], np.float32),
             choices=words["choices"],
+            metrics=tuple(words["metrics"]),
         )
         learners, robots = len(self.layout.learners), len(self.layout.robots)
         self._observed = (self.count, learners, len(self.layout.fields))
@@ -94,17 +112,31 @@ class Worlds:
                 "This environment was made in another process. Make it in the process that uses it: pass a function "
                 "that makes it, as gymnasium.vector.AsyncVectorEnv does."
             )
+        if self._broken:
+            raise RsalCrashed(self._broken)
         try:
             self._frames.write(words, arrays)
             answer = self._frames.read()
-        except (OSError, ValueError):
+        except (OSError, ValueError, ProtocolError):
             answer = None
+        except BaseException:  # an interrupt: the rest of the answer would be taken for the next one
+            self._broken = (
+                "A request was interrupted, and the process of RSAL was ended with it. reset() starts another."
+            )
+            self._process.kill()
+            raise
         if answer is None:
-            raise RsalCrashed(self._last_words())
+            self._broken = self._last_words()
+            raise RsalCrashed(self._broken)
         answered, self._arrays = answer
         if "error" in answered:
             raise launch.RsalError(answered["error"])
         return answered
+
+    @property
+    def is_broken(self) -> bool:
+        """Whether its process has ended, or does not answer any more."""
+        return bool(self._broken)
 
     def _last_words(self) -> str:
         try:
@@ -147,7 +179,7 @@ class Worlds:
         return metrics
 
     def finish(self, world: int) -> dict[str, Any]:
-        """End the episode of a world, and return its outcome, seconds, metrics and event hash."""
+        """End the episode of a world, and return its outcome, seconds, metrics, event hash and failed agents."""
         words = self._ask({"request": "finish", "world": world})
         words["event_hash"] = words.pop("eventHash")
         return words
@@ -164,16 +196,17 @@ class Worlds:
         self._end()
 
 
-def _end(process: subprocess.Popen[bytes], log: IO[bytes], owner: int) -> None:
+def _end(process: subprocess.Popen[bytes], frames: Frames, log: IO[bytes], owner: int) -> None:
     if os.getpid() == owner:
+        if process.poll() is None:
+            with contextlib.suppress(OSError, ValueError):
+                frames.write({"request": "close"})  # its stdin may be open in a forked child, too
         for pipe in (process.stdin, process.stdout):
             if pipe is not None:
-                try:
+                with contextlib.suppress(OSError):  # it has ended before
                     pipe.close()
-                except OSError:
-                    continue  # it has ended before
         try:
-            process.wait(_PATIENCE)  # its stdin has ended, so it ends
+            process.wait(_PATIENCE)
         except subprocess.TimeoutExpired:
             process.kill()
             process.wait()
