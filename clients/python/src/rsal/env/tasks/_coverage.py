@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from rsal.env._spec import Act, Observe
 from rsal.env._view import Rules, View
+from rsal.env.tasks._scripted import coverage
 from rsal.env.tasks._task import Task
 
 _CELL = 0.25  # m
@@ -66,4 +67,5 @@ COVERAGE = Task(
     better="more",
     max_steps=600,
     scripted={"learn": "scripted", "wander": "wander"},
+    by_hand=coverage,
 )

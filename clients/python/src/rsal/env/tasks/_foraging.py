@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from rsal.env._spec import Act, Observe
 from rsal.env._view import Rules, View
+from rsal.env.tasks._scripted import foraging
 from rsal.env.tasks._task import Task
 
 _HOMES = np.array([[2.0, 5.0], [10.0, 5.0]])
@@ -57,4 +58,5 @@ FORAGING = Task(
     score="cans at home after 120 s, of 8",
     better="more",
     max_steps=600,
+    by_hand=foraging,
 )

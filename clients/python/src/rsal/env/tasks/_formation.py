@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from rsal.env._spec import Act, Observe
 from rsal.env._view import Rules, View
+from rsal.env.tasks._scripted import formation
 from rsal.env.tasks._task import Task
 
 SLOTS = "-1.2 1.2; -1.2 -1.2; -2.4 0"
@@ -54,4 +55,5 @@ FORMATION = Task(
     better="less",
     max_steps=300,
     held_out=("ring",),
+    by_hand=formation,
 )

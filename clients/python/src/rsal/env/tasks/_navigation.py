@@ -8,6 +8,7 @@ import numpy.typing as npt
 from rsal.env._spec import Act, Observe
 from rsal.env._view import View
 from rsal.env.tasks._rules import Approach
+from rsal.env.tasks._scripted import navigation
 from rsal.env.tasks._task import Task
 
 _GOAL = (13.0, 3.0)
@@ -25,7 +26,7 @@ NAVIGATION = Task(
     scenario="navigation.yaml:learn",
     learners="robot",
     observe=(
-        Observe.ranges(sectors=12, max_range=5.0),
+        Observe.ranges(sectors=24, max_range=5.0),
         Observe.velocity(),
         Observe.place(*_GOAL, source="localizer", reach=14.0),
     ),
@@ -35,4 +36,5 @@ NAVIGATION = Task(
     better="less",
     max_steps=450,
     scripted={"learn": "scripted"},
+    by_hand=navigation,
 )

@@ -54,6 +54,8 @@ class Task:
     """Other configurations, which no policy has been trained in."""
     scripted: Mapping[str, str] = field(default_factory=dict)
     """Configurations with agents of RSAL in place of learners, by the configuration for learners."""
+    by_hand: Policy | None = None
+    """A short policy that somebody has written, with the same observations as learners."""
     arguments: Mapping[str, Any] = field(default_factory=dict)
     """Arguments of the scenario."""
 
