@@ -37,7 +37,7 @@ def _lanes(ranges: Numbers, directions: Numbers) -> Numbers:
     return np.where((along > 0) & (aside < _HALF_WIDTH), along, 5.0).min(-1)
 
 
-def _drive(observations: Floats, x: Numbers, y: Numbers, near: float = 0.0, sectors: int = _SECTORS) -> Numbers:
+def _drive(observations: Floats, x: Numbers, y: Numbers, near: float = 0.0, sectors: int = _SECTORS, top: float = _FORWARD) -> Numbers:
     """Drive towards a place in the base frame, in the direction of it that is free.
 
     :param near: distance from the place at which to be slower [m]
@@ -49,7 +49,7 @@ def _drive(observations: Floats, x: Numbers, y: Numbers, near: float = 0.0, sect
     cost = np.abs(_wrapped(_DIRECTIONS - goal)) + 0.2 * np.abs(_DIRECTIONS) + 3.0 * np.maximum(0.0, needed - clear) / needed
     aim = _DIRECTIONS[cost.argmin(-1)]
     ahead = _lanes(ranges, np.zeros(1))[..., 0]
-    speed = _FORWARD * np.clip((ahead - 0.25) / 0.6, 0.0, 1.0) * np.clip(np.cos(1.5 * aim), 0.0, 1.0)
+    speed = top * np.clip((ahead - 0.25) / 0.6, 0.0, 1.0) * np.clip(np.cos(1.5 * aim), 0.0, 1.0)
     if near:
         speed = speed * np.clip(distance / near, 0.0, 1.0)
     return np.stack([speed, np.clip(2.0 * aim, -_TURN, _TURN)], -1)
@@ -93,7 +93,7 @@ def coverage(observations: Floats) -> Numbers:
 def formation(observations: Floats) -> Numbers:
     """Drive to the own slot, slower near it, and turn as the leader does once there."""
     x, y = observations[..., 15].astype(float), observations[..., 16].astype(float)
-    act = _drive(observations, x, y, near=0.6)
+    act = _drive(observations, x, y, near=0.8, top=0.7)
     there = np.hypot(x, y) < 0.15  # noqa: PLR2004 - m
     behind = (x < 0) & (np.hypot(x, y) < 0.8)  # noqa: PLR2004 - m; it comes by itself, as the leader drives
     heading = np.arctan2(observations[..., 18], observations[..., 17]).astype(float)

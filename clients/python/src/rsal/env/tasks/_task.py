@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 from gymnasium import spaces
 
+from rsal.agents.policy import PolicyAgent
 from rsal.env._drawing import Picture, Pictures
 from rsal.env._episodes import Episodes
 from rsal.env._parallel import ParallelScenario
@@ -79,6 +81,14 @@ class Task:
             steps=self.steps,
             arguments={**self.arguments, **(arguments or {})},
         )
+
+    def learned(self) -> Policy | None:
+        """Return the policy that was trained in this task and comes with RSAL; None where there is none."""
+        module = f"{self.name.lower()}_policy"
+        if not (_FOLDER / f"{module}.py").is_file():
+            return None
+        agent: type[PolicyAgent] = getattr(import_module(f"rsal.env.tasks.{module}"), f"{self.name}Policy")
+        return agent.network
 
     def parallel_env(
         self,
