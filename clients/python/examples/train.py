@@ -11,7 +11,9 @@ from __future__ import annotations
 
 import argparse
 import csv
+import itertools
 import json
+import textwrap
 import time
 from pathlib import Path
 from typing import Any
@@ -47,7 +49,7 @@ class Shape:
         self.low, self.high, self.choices = layout.action_low, layout.action_high, layout.choices
         outputs = layout.choices or len(layout.action_fields)
         sizes = [len(layout.fields), hidden, outputs] if hidden else [len(layout.fields), outputs]
-        self.layers = [(rows, columns + 1) for columns, rows in zip(sizes, sizes[1:], strict=False)]
+        self.layers = [(rows, columns + 1) for columns, rows in itertools.pairwise(sizes)]
         self.size = sum(rows * columns for rows, columns in self.layers)
 
     def split(self, parameters: Floats) -> list[Floats]:
@@ -109,7 +111,7 @@ def imitated(task: Task, shape: Shape, options: argparse.Namespace) -> Floats:
         seen.append(observations.reshape(-1, observations.shape[-1]))
         done.append(np.asarray(action).reshape(-1, action.shape[-1]))
         noise = random.normal(0, 0.3, action.shape) * (shape.high - shape.low)
-        wild = random.random((*action.shape[:2], 1)) < 0.3  # noqa: PLR2004
+        wild = random.random((*action.shape[:2], 1)) < 0.3
         observations, *_ = worlds.step(np.clip(action + noise * wild, shape.low, shape.high))
     worlds.close()
     inputs = np.clip(np.concatenate(seen) / shape.scale, -1.0, 1.0)
@@ -136,6 +138,42 @@ def imitated(task: Task, shape: Shape, options: argparse.Namespace) -> Floats:
     return parameters
 
 
+def agent(task: Task, shape: Shape, parameters: Floats, made: str) -> str:
+    """Return the text of an agent that acts by a network: what it observes and does is that of the task."""
+
+    def listed(values: Any) -> str:
+        numbers = ["%.4g" % value for value in values]
+        lines = textwrap.wrap(", ".join(numbers), 100)
+        return "[" + ("\n            ".join(lines)) + "]"
+
+    layers = "".join(
+        "        [\n" + "".join(f"            {listed(row)},\n" for row in layer) + "        ],\n"
+        for layer in shape.split(parameters)
+    )
+    observe = "".join(f"        {json.dumps(each)},\n" for each in task.observe)
+    limits = (
+        f", choices={shape.choices}"
+        if shape.choices
+        else (
+            f", low={['%.4g' % each for each in shape.low]}, high={['%.4g' % each for each in shape.high]}".replace(
+                "'", ""
+            )
+        )
+    )
+    return (
+        f'"""The policy that was trained in the task {task.name}: {made}."""\n\n'
+        "from rsal.agents import Network, PolicyAgent\n\n\n"
+        f"class {task.name}Policy(PolicyAgent):\n"
+        f'    """Acts by a network with {shape.size} parameters, trained in the task {task.name}."""\n\n'
+        f"    observe = [\n{observe}    ]\n"
+        f"    act = {json.dumps(task.act)}\n"
+        f"    period = {task.steps / 10}\n"
+        "    network = Network(\n"
+        f"        {listed(shape.scale)},\n"
+        f"        [\n{layers}        ]{limits},\n    )\n"
+    )
+
+
 def train(task: Task, options: argparse.Namespace) -> None:
     """Train until the time is over."""
     shape = Shape(task, options.hidden)
@@ -143,7 +181,9 @@ def train(task: Task, options: argparse.Namespace) -> None:
     steps = options.max_steps or task.max_steps
     configurations = options.configurations or [task.configuration]
     count = options.population * options.episodes
-    worlds = [task.make_vec(count, configuration=c, max_steps=steps, threads=1, autoreset=False) for c in configurations]
+    worlds = [
+        task.make_vec(count, configuration=c, max_steps=steps, threads=1, autoreset=False) for c in configurations
+    ]
     mean, deviation = np.zeros(shape.size), np.full(shape.size, options.deviation)
     if options.imitate:
         mean = imitated(task, shape, options)
@@ -175,9 +215,7 @@ def train(task: Task, options: argparse.Namespace) -> None:
                     [
                         ending["score"]
                         for configuration in configurations
-                        for ending in task.evaluate(
-                            shape.network(mean), seeds=VALIDATION, configuration=configuration
-                        )
+                        for ending in task.evaluate(shape.network(mean), seeds=VALIDATION, configuration=configuration)
                     ]
                 )
             )
@@ -194,8 +232,17 @@ def train(task: Task, options: argparse.Namespace) -> None:
                     "command": vars(options),
                 }
                 (out / f"{task.name.lower()}.json").write_text(json.dumps(kept), encoding="utf-8")
+                text = agent(task, shape, mean, f"cross-entropy method, generation {generation}, seed {options.seed}")
+                (out / f"{task.name.lower()}_policy.py").write_text(text, encoding="utf-8")
         seconds = time.time() - begun
-        row = [generation, episodes, done, round(seconds, 1), round(float(found.mean()), 3), round(float(found.max()), 3)]
+        row = [
+            generation,
+            episodes,
+            done,
+            round(seconds, 1),
+            round(float(found.mean()), 3),
+            round(float(found.max()), 3),
+        ]
         writer.writerow([*row, score])
         curve.flush()
         print(*row, score, round(float(deviation.mean()), 3), flush=True)

@@ -62,7 +62,7 @@ class _Model:
 
     def __init__(self, file: str) -> None:
         try:
-            import onnxruntime  # noqa: PLC0415 # type: ignore[import-not-found,import-untyped,unused-ignore]
+            import onnxruntime  # noqa: PLC0415 - it is large
         except ImportError as error:
             raise RuntimeError(f"The model '{file}' needs onnxruntime: 'pip install onnxruntime' ({error}).") from error
         if not Path(file).is_file():
@@ -73,5 +73,5 @@ class _Model:
         self._input = self._session.get_inputs()[0].name
 
     def __call__(self, observation: npt.NDArray[np.float32]) -> Numbers:
-        output: Numbers = self._session.run(None, {self._input: observation[None, :]})[0]
-        return output[0]
+        action: Numbers = self._session.run(None, {self._input: observation[None, :]})[0][0]
+        return action

@@ -108,7 +108,8 @@ class Episodes:
         terminated = np.array([over.get(world, _TIMEOUT) != _TIMEOUT for world in range(self.count)])
         late = np.zeros(self.count, bool) if self._max_steps is None else self._steps >= self._max_steps
         truncated = ~terminated & (late | np.array([world in over for world in range(self.count)]))
-        endings = {int(world): worlds.finish(int(world)) for world in np.flatnonzero((terminated | truncated) & running)}
+        ended = np.flatnonzero((terminated | truncated) & running)
+        endings = {int(world): worlds.finish(int(world)) for world in ended}
         if isinstance(self._reward, Rules):
             for world, ending in endings.items():
                 ending["score"] = self._reward.score(world, ending)
@@ -127,17 +128,17 @@ class Episodes:
                 self._measured[world] = value
         elif self._reward is not None:
             new = worlds.collisions - self._collisions
-            for world in np.flatnonzero(~self._over):
+            for world in map(int, np.flatnonzero(~self._over)):
                 view = View(
                     layout=layout,
-                    world=int(world),
+                    world=world,
                     observations=worlds.observations[world],
                     actions=actions[world],
                     all_poses=worlds.poses[world],
                     all_collisions=worlds.collisions[world],
                     new_collisions=new[world],
                     time=float(self._steps[world]) * layout.period,
-                    outcome=over.get(int(world), ""),
+                    outcome=over.get(world, ""),
                     metrics=lambda world=world: worlds.metrics()[world],  # type: ignore[misc]
                     floor=self._floor,
                 )

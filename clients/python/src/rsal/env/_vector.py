@@ -103,7 +103,8 @@ def make_vec(
 ) -> VectorScenario:
     """Make many worlds of a scenario, of which ``threads`` are simulated at once.
 
-    Without ``autoreset``, a world whose episode has ended stays over until the next reset. All other parameters are those of :func:`parallel_env`.
+    Without ``autoreset``, a world whose episode has ended stays over until the next reset. All other parameters are
+    those of :func:`parallel_env`.
     """
     spec = Spec.of(scenario=scenario, learners=learners, observe=observe, act=act, steps=steps, arguments=arguments)
     return VectorScenario(spec, num_envs, threads=threads, reward=reward, max_steps=max_steps, autoreset=autoreset)

@@ -14,9 +14,7 @@ from rsal.env.tasks._patrol import PATROL
 from rsal.env.tasks._pursuit import PURSUIT
 from rsal.env.tasks._task import Policy, Task, Team, make, register
 
-TASKS: dict[str, Task] = {
-    task.name: task for task in (NAVIGATION, PURSUIT, COVERAGE, FORMATION, FORAGING, PATROL)
-}
+TASKS: dict[str, Task] = {task.name: task for task in (NAVIGATION, PURSUIT, COVERAGE, FORMATION, FORAGING, PATROL)}
 """All tasks, by name."""
 
 register(TASKS)

@@ -45,7 +45,8 @@ class _Covering(Rules):
             covered |= new
             rewards.append(100.0 * new.sum() / len(centers))
         touched = view.collisions if view.layout.learners else np.zeros(len(rewards))
-        return np.array(rewards) - 0.2 * touched
+        paid: npt.ArrayLike = np.array(rewards) - 0.2 * touched
+        return paid
 
     def score(self, world: int, ending: dict[str, Any]) -> float:  # noqa: ARG002 - of the interface
         return float(100.0 * self._covered[world].mean())

@@ -35,7 +35,8 @@ class _Bringing(Rules):
         home = before & ~held & (distance < 1.0)
         lost = before & ~held & (distance >= 1.2)  # noqa: PLR2004
         way = np.where(held & before, far - distance, 0.0)
-        return 10.0 * home + 1.0 * taken - 1.0 * lost + way - 0.2 * view.collisions
+        rewards: npt.ArrayLike = 10.0 * home + 1.0 * taken - 1.0 * lost + way - 0.2 * view.collisions
+        return rewards
 
     def score(self, world: int, ending: dict[str, Any]) -> float:  # noqa: ARG002 - of the interface
         return float(ending["metrics"].get("collected", 0.0))

@@ -33,7 +33,8 @@ class _Keeping(Rules):
         error = np.minimum(np.hypot(*(view.poses("follower")[:, :2] - wanted).T), _FAR)
         if view.time >= _BEGIN:
             self._errors[view.world].append(float((error**2).mean()))
-        return -error * view.layout.period - 0.5 * view.collisions
+        rewards: npt.ArrayLike = -error * view.layout.period - 0.5 * view.collisions
+        return rewards
 
     def score(self, world: int, ending: dict[str, Any]) -> float:  # noqa: ARG002 - of the interface
         return float(np.sqrt(np.mean(self._errors[world]))) if self._errors[world] else _FAR

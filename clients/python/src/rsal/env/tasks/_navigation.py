@@ -17,7 +17,8 @@ _LIMIT = 90.0
 
 class _Crossing(Approach):
     def distances(self, view: View) -> npt.NDArray[np.float64]:
-        return np.hypot(*(view.poses("robot")[:, :2].astype(float) - _GOAL).T)
+        distances: npt.NDArray[np.float64] = np.hypot(*(view.poses("robot")[:, :2].astype(float) - _GOAL).T)
+        return distances
 
 
 NAVIGATION = Task(

@@ -19,12 +19,14 @@ _FORWARD, _TURN = 0.5, 1.5
 
 
 def _wrapped(angle: Numbers) -> Numbers:
-    return (angle + np.pi) % (2 * np.pi) - np.pi
+    wrapped: Numbers = (angle + np.pi) % (2 * np.pi) - np.pi
+    return wrapped
 
 
 def _middles(sectors: int) -> Numbers:
     """Return the directions of the sectors' middles, from right to left."""
-    return (np.arange(sectors) + 0.5) * _VIEW / sectors - _VIEW / 2
+    middles: Numbers = (np.arange(sectors) + 0.5) * _VIEW / sectors - _VIEW / 2
+    return middles
 
 
 _DIRECTIONS = np.deg2rad(np.arange(-130.0, 131.0, 10.0))
@@ -34,10 +36,19 @@ def _lanes(ranges: Numbers, directions: Numbers) -> Numbers:
     """Return how far straight lanes are free, by direction [m]."""
     apart = _middles(ranges.shape[-1])[None, :] - directions[:, None]
     along, aside = np.cos(apart) * ranges[..., None, :], np.abs(np.sin(apart)) * ranges[..., None, :]
-    return np.where((along > 0) & (aside < _HALF_WIDTH), along, 5.0).min(-1)
+    free: Numbers = np.where((along > 0) & (aside < _HALF_WIDTH), along, 5.0).min(-1)
+    return free
 
 
-def _drive(observations: Floats, x: Numbers, y: Numbers, near: float = 0.0, sectors: int = _SECTORS, top: float = _FORWARD) -> Numbers:
+def _drive(
+    observations: Floats,
+    x: Numbers,
+    y: Numbers,
+    *,
+    near: float = 0.0,
+    sectors: int = _SECTORS,
+    top: float = _FORWARD,
+) -> Numbers:
     """Drive towards a place in the base frame, in the direction of it that is free.
 
     :param near: distance from the place at which to be slower [m]
@@ -46,7 +57,8 @@ def _drive(observations: Floats, x: Numbers, y: Numbers, near: float = 0.0, sect
     clear = _lanes(ranges, _DIRECTIONS)
     goal, distance = np.arctan2(y, x)[..., None], np.hypot(x, y)
     needed = np.minimum(2.0, np.maximum(distance, 0.3))[..., None]
-    cost = np.abs(_wrapped(_DIRECTIONS - goal)) + 0.2 * np.abs(_DIRECTIONS) + 3.0 * np.maximum(0.0, needed - clear) / needed
+    cost = np.abs(_wrapped(_DIRECTIONS - goal)) + 0.2 * np.abs(_DIRECTIONS)
+    cost = cost + 3.0 * np.maximum(0.0, needed - clear) / needed
     aim = _DIRECTIONS[cost.argmin(-1)]
     ahead = _lanes(ranges, np.zeros(1))[..., 0]
     speed = top * np.clip((ahead - 0.25) / 0.6, 0.0, 1.0) * np.clip(np.cos(1.5 * aim), 0.0, 1.0)
@@ -74,7 +86,8 @@ def pursuit(observations: Floats) -> Numbers:
     act = _drive(observations, x, y)
     # The prey itself is an obstacle in the way: near it, drive straight on.
     close = (~hidden) & (np.hypot(x, y) < 1.6)  # noqa: PLR2004 - m
-    straight = np.stack([_FORWARD * np.clip(np.cos(np.arctan2(y, x)), 0, 1), np.clip(2 * np.arctan2(y, x), -1.5, 1.5)], -1)
+    angle = np.arctan2(y, x)
+    straight = np.stack([_FORWARD * np.clip(np.cos(angle), 0, 1), np.clip(2 * angle, -_TURN, _TURN)], -1)
     return np.where(close[..., None], straight, act)
 
 
@@ -122,4 +135,5 @@ def patrol(observations: Floats) -> Numbers:
     """Choose the place with the most steps without a visit for each meter of the way there."""
     places = observations[..., :24].reshape(*observations.shape[:-1], 8, 3).astype(float)
     value = (places[..., 2] + 1.0) / (np.hypot(places[..., 0], places[..., 1]) + 3.0)
-    return value.argmax(-1)[..., None].astype(float)
+    chosen: Numbers = value.argmax(-1)[..., None].astype(float)
+    return chosen

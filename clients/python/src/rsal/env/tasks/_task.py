@@ -105,7 +105,7 @@ class Task:
             max_steps=max_steps or self.max_steps,
             render_mode=render_mode,
         )
-        made.metadata = {**made.metadata, "name": f"rsal/{self.name}-v0"}
+        made.metadata["name"] = f"rsal/{self.name}-v0"  # a dictionary of its own
         return made
 
     def gym_env(
