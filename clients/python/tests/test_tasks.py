@@ -15,7 +15,8 @@ from gymnasium.utils.env_checker import check_env
 from pettingzoo.test import parallel_api_test
 
 from rsal import RsalError, launch
-from rsal.agents.policy import PolicyAgent
+from rsal.agents.network import Network
+from rsal.agents.policy import Model, PolicyAgent
 from rsal.env import tasks
 from rsal.env.tasks import TASKS, Task
 
@@ -134,3 +135,36 @@ def test_what_an_agent_observes_is_what_its_task_declares(task: Task) -> None:
     assert list(agent.observe) == list(task.observe)
     assert agent.act == task.act
     assert agent.period == pytest.approx(task.steps / 10)
+
+
+def test_a_model_in_onnx_acts_as_the_network_that_it_was_made_of(tmp_path: Path) -> None:
+    onnx = pytest.importorskip("onnx")
+    pytest.importorskip("onnxruntime")
+    network = tasks.NAVIGATION.learned()
+    assert isinstance(network, Network)
+    make, tensor = onnx.helper.make_node, onnx.numpy_helper.from_array
+    constants = {"scale": network.scale, "least": np.array(-1), "most": np.array(1)}
+    constants |= {"half": (network.high - network.low) / 2, "middle": (network.high + network.low) / 2}
+    nodes = [make("Div", ["seen", "scale"], ["scaled"]), make("Clip", ["scaled", "least", "most"], ["in0"])]
+    for number, layer in enumerate(network.layers):
+        constants |= {f"w{number}": layer[:, :-1], f"b{number}": layer[:, -1]}
+        nodes.append(make("Gemm", [f"in{number}", f"w{number}", f"b{number}"], [f"sum{number}"], transB=1))
+        nodes.append(make("Tanh", [f"sum{number}"], [f"in{number + 1}"]))
+    nodes += [make("Mul", [f"in{len(network.layers)}", "half"], ["spread"]), make("Add", ["spread", "middle"], ["act"])]
+    value = onnx.helper.make_tensor_value_info
+    graph = onnx.helper.make_graph(
+        nodes,
+        "navigation",
+        [value("seen", onnx.TensorProto.FLOAT, [1, len(network.scale)])],
+        [value("act", onnx.TensorProto.FLOAT, [1, 2])],
+        [tensor(np.asarray(each, np.float32), name) for name, each in constants.items()],
+    )
+    opset = onnx.helper.make_opsetid("", 17)
+    onnx.save(onnx.helper.make_model(graph, opset_imports=[opset], ir_version=8), tmp_path / "navigation.onnx")
+    agent = PolicyAgent.__new__(PolicyAgent)
+    agent._model = Model(str(tmp_path / "navigation.onnx"))
+    for seed in range(5):
+        seen = np.random.default_rng(seed).uniform(-3, 3, len(network.scale)).astype(np.float32)
+        np.testing.assert_allclose(agent.decide(seen), network(seen), atol=1e-5)
+    with pytest.raises(FileNotFoundError, match=r"no model 'nowhere\.onnx'"):
+        Model("nowhere.onnx")
