@@ -10,15 +10,18 @@ from rsal.env._parallel import ParallelScenario, parallel_env
 from rsal.env._single import SingleScenario, single_env
 from rsal.env._spec import Act, Observe
 from rsal.env._vector import VectorScenario, make_vec
-from rsal.env._view import Reward, View
+from rsal.env._view import Reward, Rules, View
 from rsal.env._worlds import RsalCrashed
+from rsal.env.tasks import TASKS
 
 __all__ = [
+    "TASKS",
     "Act",
     "Observe",
     "ParallelScenario",
     "Reward",
     "RsalCrashed",
+    "Rules",
     "SingleScenario",
     "VectorScenario",
     "View",

@@ -46,13 +46,17 @@ class SensedObservationsTest {
     private Episode begin(Map<String, Object> act, List<Map<String, Object>> observe) throws IOException {
         Files.writeString(folder.resolve("hall.yaml"), HALL);
         Path file = Files.writeString(folder.resolve("sensed.yaml"), SCENARIO);
-        return Episode.begin(
-                new Environments().read(file.toString(), RunOptions.NONE, "learner", observe, act, 1), 1);
+        return Episode.begin(new Environments().read(file.toString(), RunOptions.NONE, "learner", observe, act, 1), 1);
     }
 
     private float[] observed(Map<String, Object> observation) throws IOException {
         Environments environments = new Environments();
-        var numbers = new float[environments.observations(List.of(observation)).getFirst().fields().size()];
+        var numbers = new float
+                [environments
+                        .observations(List.of(observation))
+                        .getFirst()
+                        .fields()
+                        .size()];
         try (Episode episode = begin(Map.of("type", "velocity"), List.of(observation))) {
             episode.observe(numbers, 0);
         }
@@ -69,7 +73,8 @@ class SensedObservationsTest {
         assertThat(observed(Map.of("type", "markers", "last", 6))).containsOnly(0);
         assertThat(observed(Map.of("type", "markers", "visited", 4))).containsOnly(0);
         assertThat(observed(Map.of("type", "markers", "home", 4))).containsOnly(0);
-        assertThat(observed(Map.of("type", "markers", "visited", 3, "home", 3))[2]).isEqualTo(1);
+        assertThat(observed(Map.of("type", "markers", "visited", 3, "home", 3))[2])
+                .isEqualTo(1);
     }
 
     @Test
@@ -81,7 +86,8 @@ class SensedObservationsTest {
         assertThat(slot[2]).isCloseTo(0, NEAR);
         assertThat(slot[3]).isCloseTo(1, NEAR);
         assertThat(slot[4]).isEqualTo(1);
-        assertThat(observed(Map.of("type", "slot", "leader", 8, "slots", "1 1"))).containsExactly(0, 0, 1, 0, 0);
+        assertThat(observed(Map.of("type", "slot", "leader", 8, "slots", "1 1")))
+                .containsExactly(0, 0, 1, 0, 0);
         assertThatThrownBy(() -> observed(Map.of("type", "slot"))).hasMessageContaining("'slots'");
     }
 
