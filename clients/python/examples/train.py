@@ -142,13 +142,10 @@ def agent(task: Task, shape: Shape, parameters: Floats, made: str) -> str:
     """Return the text of an agent that acts by a network: what it observes and does is that of the task."""
 
     def listed(values: Any) -> str:
-        numbers = ["%.4g" % value for value in values]
-        lines = textwrap.wrap(", ".join(numbers), 100)
-        return "[" + ("\n            ".join(lines)) + "]"
+        return "[" + "\n             ".join(textwrap.wrap(", ".join("%.4g" % value for value in values), 100)) + "]"
 
-    layers = "".join(
-        "        [\n" + "".join(f"            {listed(row)},\n" for row in layer) + "        ],\n"
-        for layer in shape.split(parameters)
+    layers = ",\n".join(
+        "        [" + ",\n         ".join(listed(row) for row in layer) + "]" for layer in shape.split(parameters)
     )
     observe = "".join(f"        {json.dumps(each)},\n" for each in task.observe)
     limits = (
@@ -168,9 +165,9 @@ def agent(task: Task, shape: Shape, parameters: Floats, made: str) -> str:
         f"    observe = [\n{observe}    ]\n"
         f"    act = {json.dumps(task.act)}\n"
         f"    period = {task.steps / 10}\n"
-        "    network = Network(\n"
+        "    # fmt: off\n    network = Network(\n"
         f"        {listed(shape.scale)},\n"
-        f"        [\n{layers}        ]{limits},\n    )\n"
+        f"        [\n{layers}\n        ]{limits},\n    )\n    # fmt: on\n"
     )
 
 

@@ -43,11 +43,8 @@ public final class GripperObservation implements ObservationType {
             Gripper gripper = robot.find(Gripper.class)
                     .orElseThrow(() -> new IllegalArgumentException(
                             "Robot '%s' has no gripper for the observation 'gripper'.".formatted(robot.id())));
-            return (to, at) -> to[at] = gripper.latest()
-                            .filter(newest -> newest.value().holding())
-                            .isPresent()
-                    ? 1
-                    : 0;
+            return (to, at) -> to[at] =
+                    gripper.latest().filter(newest -> newest.value().holding()).isPresent() ? 1 : 0;
         }
     }
 }

@@ -10,8 +10,8 @@ import rsal.settings.Parameter;
 
 /// Where the robot has started, in its base frame, by its localizer. Real robots have it.
 public final class HomeObservation implements ObservationType {
-    private static final Parameter<Double> MAX = Parameter.number(
-            "max", 100, 0.1, 10_000, "m", "Greatest coordinate; those beyond count as this one.");
+    private static final Parameter<Double> MAX =
+            Parameter.number("max", 100, 0.1, 10_000, "m", "Greatest coordinate; those beyond count as this one.");
 
     @Override
     public String key() {
@@ -51,10 +51,10 @@ public final class HomeObservation implements ObservationType {
 
         @Override
         public Reader of(Robot robot, Truth world) {
-            Localizer localizer = Needs.localizer(robot, "home");
-            Point2d start = Needs.believed(localizer).position();
+            Localizer localizer = OwnPose.localizer(robot, "home");
+            Point2d start = OwnPose.believed(localizer).position();
             return (to, at) -> {
-                Pose2d mapFromBase = Needs.believed(localizer);
+                Pose2d mapFromBase = OwnPose.believed(localizer);
                 Point2d home = mapFromBase.inverse().transform(start);
                 to[at] = Math.clamp((float) home.x(), -max, max);
                 to[at + 1] = Math.clamp((float) home.y(), -max, max);

@@ -17,8 +17,8 @@ public final class SlotObservation implements ObservationType {
             Parameter.integer("leader", 0, 0, 1_000_000, "", "Id of the leader's marker.");
     private static final Parameter<List<Point2d>> SLOTS = Parameter.points(
             "slots", "Slots in the frame of the leader: of the first robot of the role, of the second one, and so on.");
-    private static final Parameter<Double> MAX = Parameter.number(
-            "max", 10, 0.1, 1000, "m", "Greatest coordinate; those beyond count as this one.");
+    private static final Parameter<Double> MAX =
+            Parameter.number("max", 10, 0.1, 1000, "m", "Greatest coordinate; those beyond count as this one.");
 
     @Override
     public String key() {

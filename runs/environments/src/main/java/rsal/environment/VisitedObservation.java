@@ -15,8 +15,8 @@ import rsal.settings.Parameter;
 public final class VisitedObservation implements ObservationType {
     private static final Parameter<Integer> DIRECTIONS =
             Parameter.integer("directions", 8, 1, 72, "", "Number of directions, counter-clockwise from ahead.");
-    private static final Parameter<Double> DISTANCE = Parameter.number(
-            "distance", 1.5, 0.1, 100, "m", "How far from the robot the place in each direction is.");
+    private static final Parameter<Double> DISTANCE =
+            Parameter.number("distance", 1.5, 0.1, 100, "m", "How far from the robot the place in each direction is.");
     private static final Parameter<Double> CELL =
             Parameter.number("cell", 0.75, 0.05, 100, "m", "Side of the cells that count as visited.");
 
@@ -60,10 +60,10 @@ public final class VisitedObservation implements ObservationType {
 
         @Override
         public Reader of(Robot robot, Truth world) {
-            Localizer localizer = Needs.localizer(robot, "visited");
+            Localizer localizer = OwnPose.localizer(robot, "visited");
             Set<Long> visited = new HashSet<>(); // only asked whether it has a cell
             return (to, at) -> {
-                Pose2d mapFromBase = Needs.believed(localizer);
+                Pose2d mapFromBase = OwnPose.believed(localizer);
                 visited.add(cellOf(mapFromBase.position()));
                 for (int i = 0; i < directions; i++) {
                     double angle = 2 * Math.PI * i / directions;
