@@ -11,7 +11,9 @@ from __future__ import annotations
 
 import argparse
 import csv
+import itertools
 import json
+import textwrap
 import time
 from pathlib import Path
 from typing import Any
@@ -47,7 +49,7 @@ class Shape:
         self.low, self.high, self.choices = layout.action_low, layout.action_high, layout.choices
         outputs = layout.choices or len(layout.action_fields)
         sizes = [len(layout.fields), hidden, outputs] if hidden else [len(layout.fields), outputs]
-        self.layers = [(rows, columns + 1) for columns, rows in zip(sizes, sizes[1:], strict=False)]
+        self.layers = [(rows, columns + 1) for columns, rows in itertools.pairwise(sizes)]
         self.size = sum(rows * columns for rows, columns in self.layers)
 
     def split(self, parameters: Floats) -> list[Floats]:
@@ -92,6 +94,83 @@ def returns(worlds: Any, shape: Shape, population: Floats, seeds: list[int], ste
     return total.reshape(len(population), len(seeds)).mean(1), count
 
 
+def imitated(task: Task, shape: Shape, options: argparse.Namespace) -> Floats:
+    """Return parameters that act as the policy by hand, as far as the network can.
+
+    The robots act by hand with noise, so that the network also sees what happens after mistakes; then least squares by
+    Adam (Kingma, Ba, 2015).
+    """
+    if task.by_hand is None or shape.choices:
+        raise SystemExit(f"There is nothing to imitate in the task {task.name}.")
+    random = np.random.default_rng(options.seed)
+    worlds = task.make_vec(40, threads=1)
+    observations, _ = worlds.reset(seed=900_000)
+    seen, done = [], []
+    for _ in range(options.imitate):
+        action = task.by_hand(observations)
+        seen.append(observations.reshape(-1, observations.shape[-1]))
+        done.append(np.asarray(action).reshape(-1, action.shape[-1]))
+        noise = random.normal(0, 0.3, action.shape) * (shape.high - shape.low)
+        wild = random.random((*action.shape[:2], 1)) < 0.3
+        observations, *_ = worlds.step(np.clip(action + noise * wild, shape.low, shape.high))
+    worlds.close()
+    inputs = np.clip(np.concatenate(seen) / shape.scale, -1.0, 1.0)
+    wanted = np.clip(2 * (np.concatenate(done) - shape.low) / (shape.high - shape.low) - 1, -0.95, 0.95)
+    parameters = random.normal(0, 0.3, shape.size)
+    first, second = np.zeros(shape.size), np.zeros(shape.size)
+    for step in range(1, 6001):
+        chosen = random.integers(0, len(inputs), 256)
+        values = [inputs[chosen]]
+        layers = shape.split(parameters)
+        for layer in layers:
+            values.append(np.tanh(values[-1] @ layer[:, :-1].T + layer[:, -1]))
+        error = values[-1] - wanted[chosen]
+        slope, slopes = error, []
+        for layer, before, after in zip(reversed(layers), reversed(values[:-1]), reversed(values[1:]), strict=True):
+            slope = slope * (1 - after**2)
+            slopes.append(np.concatenate([slope.T @ before, slope.sum(0)[:, None]], 1).ravel() / len(chosen))
+            slope = slope @ layer[:, :-1]
+        gradient = np.concatenate(slopes[::-1])
+        first = 0.9 * first + 0.1 * gradient
+        second = 0.999 * second + 0.001 * gradient**2
+        parameters = parameters - 0.01 * (first / (1 - 0.9**step)) / (np.sqrt(second / (1 - 0.999**step)) + 1e-8)
+    print(f"imitated {len(inputs)} decisions, mean squared error {float((error**2).mean()):.4f}", flush=True)
+    return parameters
+
+
+def agent(task: Task, shape: Shape, parameters: Floats, made: str) -> str:
+    """Return the text of an agent that acts by a network: what it observes and does is that of the task."""
+
+    def listed(values: Any) -> str:
+        return "[" + "\n             ".join(textwrap.wrap(", ".join("%.4g" % value for value in values), 100)) + "]"
+
+    layers = ",\n".join(
+        "        [" + ",\n         ".join(listed(row) for row in layer) + "]" for layer in shape.split(parameters)
+    )
+    observe = "".join(f"        {json.dumps(each)},\n" for each in task.observe)
+    limits = (
+        f", choices={shape.choices}"
+        if shape.choices
+        else (
+            f", low={['%.4g' % each for each in shape.low]}, high={['%.4g' % each for each in shape.high]}".replace(
+                "'", ""
+            )
+        )
+    )
+    return (
+        f'"""The policy that was trained in the task {task.name}: {made}."""\n\n'
+        "from rsal.agents import Network, PolicyAgent\n\n\n"
+        f"class {task.name}Policy(PolicyAgent):\n"
+        f'    """Acts by a network with {shape.size} parameters, trained in the task {task.name}."""\n\n'
+        f"    observe = [\n{observe}    ]\n"
+        f"    act = {json.dumps(task.act)}\n"
+        f"    period = {task.steps / 10}\n"
+        "    # fmt: off\n    network = Network(\n"
+        f"        {listed(shape.scale)},\n"
+        f"        [\n{layers}\n        ]{limits},\n    )\n    # fmt: on\n"
+    )
+
+
 def train(task: Task, options: argparse.Namespace) -> None:
     """Train until the time is over."""
     shape = Shape(task, options.hidden)
@@ -99,8 +178,12 @@ def train(task: Task, options: argparse.Namespace) -> None:
     steps = options.max_steps or task.max_steps
     configurations = options.configurations or [task.configuration]
     count = options.population * options.episodes
-    worlds = [task.make_vec(count, configuration=c, max_steps=steps, threads=1, autoreset=False) for c in configurations]
+    worlds = [
+        task.make_vec(count, configuration=c, max_steps=steps, threads=1, autoreset=False) for c in configurations
+    ]
     mean, deviation = np.zeros(shape.size), np.full(shape.size, options.deviation)
+    if options.imitate:
+        mean = imitated(task, shape, options)
     if options.start:
         mean = np.array(json.loads(Path(options.start).read_text(encoding="utf-8"))["parameters"])
     sign = 1.0 if task.better == "more" else -1.0
@@ -129,9 +212,7 @@ def train(task: Task, options: argparse.Namespace) -> None:
                     [
                         ending["score"]
                         for configuration in configurations
-                        for ending in task.evaluate(
-                            shape.network(mean), seeds=VALIDATION, configuration=configuration
-                        )
+                        for ending in task.evaluate(shape.network(mean), seeds=VALIDATION, configuration=configuration)
                     ]
                 )
             )
@@ -148,8 +229,17 @@ def train(task: Task, options: argparse.Namespace) -> None:
                     "command": vars(options),
                 }
                 (out / f"{task.name.lower()}.json").write_text(json.dumps(kept), encoding="utf-8")
+                text = agent(task, shape, mean, f"cross-entropy method, generation {generation}, seed {options.seed}")
+                (out / f"{task.name.lower()}_policy.py").write_text(text, encoding="utf-8")
         seconds = time.time() - begun
-        row = [generation, episodes, done, round(seconds, 1), round(float(found.mean()), 3), round(float(found.max()), 3)]
+        row = [
+            generation,
+            episodes,
+            done,
+            round(seconds, 1),
+            round(float(found.mean()), 3),
+            round(float(found.max()), 3),
+        ]
         writer.writerow([*row, score])
         curve.flush()
         print(*row, score, round(float(deviation.mean()), 3), flush=True)
@@ -178,6 +268,7 @@ def main() -> None:
     parser.add_argument("--every", type=int, default=10, help="generations between two checks")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--start", default="", help="parameters to start from")
+    parser.add_argument("--imitate", type=int, default=0, help="steps of the policy by hand to begin with")
     parser.add_argument("--configurations", nargs="*", help="of the scenario; as the task says")
     parser.add_argument("--out", default="trained")
     options = parser.parse_args()

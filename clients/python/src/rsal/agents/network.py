@@ -48,6 +48,7 @@ class Network:
             # Not by a product of matrices: its last digits would depend on how many observations there are at once.
             values = np.tanh((values[..., None, :] * layer[:, :-1]).sum(-1) + layer[:, -1])
         if self.choices:
-            return values.argmax(-1)[..., None].astype(float)
+            chosen: Numbers = values.argmax(-1)[..., None].astype(float)
+            return chosen
         spread: Numbers = self.low + (values + 1.0) / 2.0 * (self.high - self.low)
         return spread

@@ -34,11 +34,13 @@ class PolicyAgent(Agent):
     model: ClassVar[str] = ""
     """The file of a model in ONNX with one input and one output of shape (1, n). It needs the package onnxruntime."""
 
+    _model: Model | None = None
     _first = 0.1  # s, after which all sensors have measured, as in environments
 
     def on_start(self) -> Any:
         """Begin to observe and to act."""
-        self._model = _Model(self.model) if self.model else None
+        if self.model:
+            self._model = Model(self.model)
         number = self._link.listen(lambda words, arrays: self._decide(_array(words, arrays)))
         observe = [{"type": each} if isinstance(each, str) else dict(each) for each in self.observe]
         act = {"type": self.act} if isinstance(self.act, str) else dict(self.act)
@@ -57,12 +59,15 @@ class PolicyAgent(Agent):
         return self.network(observation)
 
 
-class _Model:
-    """A model in ONNX, on one thread: so that it computes the same each time."""
+class Model:
+    """A model in ONNX, on one thread: so that it computes the same each time.
+
+    :param file: its file
+    """
 
     def __init__(self, file: str) -> None:
         try:
-            import onnxruntime  # noqa: PLC0415 # type: ignore[import-not-found,import-untyped,unused-ignore]
+            import onnxruntime  # noqa: PLC0415 - it is large
         except ImportError as error:
             raise RuntimeError(f"The model '{file}' needs onnxruntime: 'pip install onnxruntime' ({error}).") from error
         if not Path(file).is_file():
@@ -73,5 +78,6 @@ class _Model:
         self._input = self._session.get_inputs()[0].name
 
     def __call__(self, observation: npt.NDArray[np.float32]) -> Numbers:
-        output: Numbers = self._session.run(None, {self._input: observation[None, :]})[0]
-        return output[0]
+        """Return the action for one observation."""
+        action: Numbers = self._session.run(None, {self._input: observation[None, :]})[0][0]
+        return action

@@ -10,21 +10,24 @@ from typing import TYPE_CHECKING
 
 from rsal.env._spec import Act, Observe
 from rsal.env._vector import VectorScenario, make_vec
-from rsal.env._view import Reward, View
+from rsal.env._view import Reward, Rules, View
 from rsal.env._worlds import Layout, RsalCrashed
 from rsal.launch import RsalError
 
 if TYPE_CHECKING:
     from rsal.env._parallel import ParallelScenario, parallel_env
     from rsal.env._single import SingleScenario, single_env
+    from rsal.env.tasks import TASKS
 
 __all__ = [
+    "TASKS",
     "Act",
     "Layout",
     "Observe",
     "ParallelScenario",
     "Reward",
     "RsalCrashed",
+    "Rules",
     "SingleScenario",
     "VectorScenario",
     "View",
@@ -36,6 +39,7 @@ __all__ = [
 _LAZY = {
     "ParallelScenario": "rsal.env._parallel",
     "SingleScenario": "rsal.env._single",
+    "TASKS": "rsal.env.tasks",
     "parallel_env": "rsal.env._parallel",
     "single_env": "rsal.env._single",
 }

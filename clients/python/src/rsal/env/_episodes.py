@@ -146,9 +146,8 @@ class Episodes:
         terminated = np.array([over.get(world, _TIMEOUT) != _TIMEOUT for world in range(self.count)])
         late = np.zeros(self.count, bool) if self._max_steps is None else self._steps >= self._max_steps
         truncated = ~terminated & (late | np.array([world in over for world in range(self.count)]))
-        endings = {
-            int(world): worlds.finish(int(world)) for world in np.flatnonzero((terminated | truncated) & running)
-        }
+        ended = np.flatnonzero((terminated | truncated) & running)
+        endings = {int(world): worlds.finish(int(world)) for world in ended}
         for world, ending in endings.items():
             if isinstance(self._reward, Rules):
                 ending["score"] = self._reward.score(world, ending)

@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from rsal.env._spec import Act, Observe
 from rsal.env._view import Rules, View
+from rsal.env.tasks._scripted import coverage
 from rsal.env.tasks._task import Task
 
 _CELL = 0.25  # m
@@ -44,7 +45,8 @@ class _Covering(Rules):
             covered |= new
             rewards.append(100.0 * new.sum() / len(centers))
         touched = view.collisions if view.layout.learners else np.zeros(len(rewards))
-        return np.array(rewards) - 0.2 * touched
+        paid: npt.ArrayLike = np.array(rewards) - 0.2 * touched
+        return paid
 
     def score(self, world: int, ending: dict[str, Any]) -> float:  # noqa: ARG002 - of the interface
         return float(100.0 * self._covered[world].mean())
@@ -66,4 +68,5 @@ COVERAGE = Task(
     better="more",
     max_steps=600,
     scripted={"learn": "scripted", "wander": "wander"},
+    by_hand=coverage,
 )

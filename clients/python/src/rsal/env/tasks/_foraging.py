@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from rsal.env._spec import Act, Observe
 from rsal.env._view import Rules, View
+from rsal.env.tasks._scripted import foraging
 from rsal.env.tasks._task import Task
 
 _HOMES = np.array([[2.0, 5.0], [10.0, 5.0]])
@@ -34,7 +35,8 @@ class _Bringing(Rules):
         home = before & ~held & (distance < 1.0)
         lost = before & ~held & (distance >= 1.2)  # noqa: PLR2004
         way = np.where(held & before, far - distance, 0.0)
-        return 10.0 * home + 1.0 * taken - 1.0 * lost + way - 0.2 * view.collisions
+        rewards: npt.ArrayLike = 10.0 * home + 1.0 * taken - 1.0 * lost + way - 0.2 * view.collisions
+        return rewards
 
     def score(self, world: int, ending: dict[str, Any]) -> float:  # noqa: ARG002 - of the interface
         return float(ending["metrics"].get("collected", 0.0))
@@ -57,4 +59,5 @@ FORAGING = Task(
     score="cans at home after 120 s, of 8",
     better="more",
     max_steps=600,
+    by_hand=foraging,
 )

@@ -9,9 +9,10 @@ import numpy.typing as npt
 
 from rsal.env._spec import Act, Observe
 from rsal.env._view import Rules, View
+from rsal.env.tasks._scripted import formation
 from rsal.env.tasks._task import Task
 
-SLOTS = "-1.2 1.2; -1.2 -1.2; -2.4 0"
+SLOTS = "-1.3 0; -1.3 -1.3; 0 -1.3"
 _FAR = 3.0  # m, beyond which an error counts as this
 _BEGIN = 20.0  # s, after which errors count for the score
 
@@ -32,7 +33,8 @@ class _Keeping(Rules):
         error = np.minimum(np.hypot(*(view.poses("follower")[:, :2] - wanted).T), _FAR)
         if view.time >= _BEGIN:
             self._errors[view.world].append(float((error**2).mean()))
-        return -error * view.layout.period - 0.5 * view.collisions
+        rewards: npt.ArrayLike = -error * view.layout.period - 0.5 * view.collisions
+        return rewards
 
     def score(self, world: int, ending: dict[str, Any]) -> float:  # noqa: ARG002 - of the interface
         return float(np.sqrt(np.mean(self._errors[world]))) if self._errors[world] else _FAR
@@ -40,18 +42,19 @@ class _Keeping(Rules):
 
 FORMATION = Task(
     name="Formation",
-    title="Keep three slots behind and beside a leader that drives among columns",
-    scenario="formation.yaml:columns",
+    title="Keep three slots behind and beside a leader that follows the wall",
+    scenario="formation.yaml:hall",
     learners="follower",
     observe=(
         Observe.ranges(sectors=12, max_range=5.0),
         Observe.velocity(),
         Observe.slot(1, SLOTS),
     ),
-    act=Act.velocity(forward=0.5, turn=1.5),
+    act=Act.velocity(forward=0.7, turn=1.5),
     rules=_Keeping,
     score=f"root of the mean squared distance from the slots [m], after the first {_BEGIN:.0f} s",
     better="less",
     max_steps=300,
     held_out=("ring",),
+    by_hand=formation,
 )

@@ -8,6 +8,7 @@ import numpy.typing as npt
 from rsal.env._spec import Act, Observe
 from rsal.env._view import View
 from rsal.env.tasks._rules import Approach
+from rsal.env.tasks._scripted import navigation
 from rsal.env.tasks._task import Task
 
 _GOAL = (13.0, 3.0)
@@ -16,7 +17,8 @@ _LIMIT = 90.0
 
 class _Crossing(Approach):
     def distances(self, view: View) -> npt.NDArray[np.float64]:
-        return np.hypot(*(view.poses("robot")[:, :2].astype(float) - _GOAL).T)
+        distances: npt.NDArray[np.float64] = np.hypot(*(view.poses("robot")[:, :2].astype(float) - _GOAL).T)
+        return distances
 
 
 NAVIGATION = Task(
@@ -25,7 +27,7 @@ NAVIGATION = Task(
     scenario="navigation.yaml:learn",
     learners="robot",
     observe=(
-        Observe.ranges(sectors=12, max_range=5.0),
+        Observe.ranges(sectors=24, max_range=5.0),
         Observe.velocity(),
         Observe.place(*_GOAL, source="localizer", reach=14.0),
     ),
@@ -35,4 +37,5 @@ NAVIGATION = Task(
     better="less",
     max_steps=450,
     scripted={"learn": "scripted"},
+    by_hand=navigation,
 )

@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from rsal.env._spec import Act, Observe
 from rsal.env._view import Rules, View
+from rsal.env.tasks._scripted import patrol
 from rsal.env.tasks._task import Task
 
 PLACES = "-4.5 -3.5; -1.5 -1.5; -4.5 3.5; -1.5 1.5; 4.5 3.5; 1.5 1.5; 4.5 -3.5; 1.5 -1.5"
@@ -54,4 +55,5 @@ PATROL = Task(
     max_steps=90,
     steps=20,
     scripted={"learn": "scripted"},
+    by_hand=patrol,
 )

@@ -8,6 +8,7 @@ import numpy.typing as npt
 from rsal.env._spec import Act, Observe
 from rsal.env._view import View
 from rsal.env.tasks._rules import Approach
+from rsal.env.tasks._scripted import pursuit
 from rsal.env.tasks._task import Task
 
 _LIMIT = 60.0
@@ -40,4 +41,5 @@ PURSUIT = Task(
     max_steps=300,
     held_out=("ring",),
     scripted={"columns": "columns-scripted", "walls": "walls-scripted", "ring": "ring-scripted"},
+    by_hand=pursuit,
 )

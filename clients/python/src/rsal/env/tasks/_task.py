@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 from gymnasium import spaces
 
+from rsal.agents.policy import PolicyAgent
 from rsal.env._drawing import Picture, Pictures
 from rsal.env._episodes import Episodes
 from rsal.env._parallel import ParallelScenario
@@ -54,6 +56,8 @@ class Task:
     """Other configurations, which no policy has been trained in."""
     scripted: Mapping[str, str] = field(default_factory=dict)
     """Configurations with agents of RSAL in place of learners, by the configuration for learners."""
+    by_hand: Policy | None = None
+    """A short policy that somebody has written, with the same observations as learners."""
     arguments: Mapping[str, Any] = field(default_factory=dict)
     """Arguments of the scenario."""
 
@@ -78,6 +82,14 @@ class Task:
             arguments={**self.arguments, **(arguments or {})},
         )
 
+    def learned(self) -> Policy | None:
+        """Return the policy that was trained in this task and comes with RSAL; None where there is none."""
+        module = f"{self.name.lower()}_policy"
+        if not (_FOLDER / f"{module}.py").is_file():
+            return None
+        agent: type[PolicyAgent] = getattr(import_module(f"rsal.env.tasks.{module}"), f"{self.name}Policy")
+        return agent.network
+
     def parallel_env(
         self,
         *,
@@ -93,7 +105,7 @@ class Task:
             max_steps=max_steps or self.max_steps,
             render_mode=render_mode,
         )
-        made.metadata = {**made.metadata, "name": f"rsal/{self.name}-v0"}
+        made.metadata["name"] = f"rsal/{self.name}-v0"  # a dictionary of its own
         return made
 
     def gym_env(

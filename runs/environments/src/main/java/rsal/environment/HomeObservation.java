@@ -51,10 +51,10 @@ public final class HomeObservation implements ObservationType {
 
         @Override
         public Reader of(Robot robot, Truth world) {
-            Localizer localizer = Needs.localizer(robot, "home");
-            Point2d start = Needs.believed(localizer).position();
+            Localizer localizer = OwnPose.localizer(robot, "home");
+            Point2d start = OwnPose.believed(localizer).position();
             return (to, at) -> {
-                Pose2d mapFromBase = Needs.believed(localizer);
+                Pose2d mapFromBase = OwnPose.believed(localizer);
                 Point2d home = mapFromBase.inverse().transform(start);
                 to[at] = Math.clamp((float) home.x(), -max, max);
                 to[at + 1] = Math.clamp((float) home.y(), -max, max);

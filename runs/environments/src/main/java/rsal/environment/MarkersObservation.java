@@ -95,7 +95,7 @@ public final class MarkersObservation implements ObservationType {
                     .orElseThrow(() -> new IllegalArgumentException(
                             "Robot '%s' has no fiducial detector for the observation 'markers'. Maybe 'fiducials: fiducials360'?"
                                     .formatted(robot.id())));
-            Localizer localizer = home > 0 ? Needs.localizer(robot, "markers") : null;
+            Localizer localizer = home > 0 ? OwnPose.localizer(robot, "markers") : null;
             return new Seen(this, finder, localizer);
         }
     }
@@ -151,7 +151,7 @@ public final class MarkersObservation implements ObservationType {
             if (own == null) {
                 return Pose2d.ORIGIN;
             }
-            Pose2d mapFromBase = Needs.believed(own);
+            Pose2d mapFromBase = OwnPose.believed(own);
             if (start == null) {
                 start = mapFromBase;
             }

@@ -70,8 +70,8 @@ public final class PlaceObservation implements ObservationType {
                 int number = world.number(robot.id());
                 return (to, at) -> write(world.truth(number), to, at);
             }
-            Localizer localizer = Needs.localizer(robot, "place");
-            return (to, at) -> write(Needs.believed(localizer), to, at);
+            Localizer localizer = OwnPose.localizer(robot, "place");
+            return (to, at) -> write(OwnPose.believed(localizer), to, at);
         }
 
         private void write(Pose2d mapFromBase, float[] to, int at) {

@@ -60,10 +60,10 @@ public final class VisitedObservation implements ObservationType {
 
         @Override
         public Reader of(Robot robot, Truth world) {
-            Localizer localizer = Needs.localizer(robot, "visited");
+            Localizer localizer = OwnPose.localizer(robot, "visited");
             Set<Long> visited = new HashSet<>(); // only asked whether it has a cell
             return (to, at) -> {
-                Pose2d mapFromBase = Needs.believed(localizer);
+                Pose2d mapFromBase = OwnPose.believed(localizer);
                 visited.add(cellOf(mapFromBase.position()));
                 for (int i = 0; i < directions; i++) {
                     double angle = 2 * Math.PI * i / directions;

@@ -4,9 +4,9 @@ import rsal.data.Pose2d;
 import rsal.device.Localizer;
 import rsal.robot.Robot;
 
-/// What observations need of a robot.
-final class Needs {
-    private Needs() {}
+/// Where a robot believes itself to be, for observations.
+final class OwnPose {
+    private OwnPose() {}
 
     /// @param observation that needs it
     /// @throws IllegalArgumentException when the robot has none
