@@ -87,7 +87,7 @@ class Episodes:
         return self.worlds.observations
 
     def _begun(self, which: range | list[int]) -> None:
-        self._collisions = self.worlds.collisions
+        self._collisions = self.worlds.collisions.copy()
         for world in which:
             self._steps[world] = 0
             self._measured[world] = 0.0
@@ -98,16 +98,20 @@ class Episodes:
         given = np.asarray(actions, np.float32)
         over = worlds.step(given)
         self._steps += 1
-        rewards = self._rewards(given.reshape(self.count, len(self.layout.learners), -1), over)
-        self._collisions = worlds.collisions
-        terminated = np.array([over.get(world, _TIMEOUT) != _TIMEOUT for world in range(self.count)])
-        late = np.zeros(self.count, bool) if self._max_steps is None else self._steps >= self._max_steps
-        truncated = ~terminated & (late | np.array([world in over for world in range(self.count)]))
-        endings = {int(world): worlds.finish(int(world)) for world in np.flatnonzero(terminated | truncated)}
+        rewards = self._rewards(given, over)
+        terminated = np.zeros(self.count, bool)
+        truncated = np.zeros(self.count, bool) if self._max_steps is None else self._steps >= self._max_steps
+        for world, outcome in over.items():
+            terminated[world] = outcome != _TIMEOUT
+            truncated[world] = outcome == _TIMEOUT
+        endings: dict[int, dict[str, Any]] = {}
+        if over or self._max_steps is not None:
+            endings = {int(world): worlds.finish(int(world)) for world in np.flatnonzero(terminated | truncated)}
         return Step(worlds.observations, rewards, terminated, truncated, endings)
 
-    def _rewards(self, actions: Floats, over: dict[int, str]) -> Floats:
-        worlds, layout = self.worlds, self.layout
+    def _rewards(self, given: Floats, over: dict[int, str]) -> Floats:
+        worlds = self.worlds
+        layout = worlds.layout
         rewards = np.zeros((self.count, len(layout.learners)), np.float32)
         if isinstance(self._reward, str):
             for world, metrics in enumerate(worlds.metrics()):
@@ -115,7 +119,9 @@ class Episodes:
                 rewards[world] = value - self._measured[world]
                 self._measured[world] = value
         elif self._reward is not None:
+            actions = given.reshape(self.count, len(layout.learners), -1)
             new = worlds.collisions - self._collisions
+            self._collisions = worlds.collisions.copy()
             for world in range(self.count):
                 rewards[world] = self._reward(
                     View(

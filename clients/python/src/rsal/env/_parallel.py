@@ -77,6 +77,7 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
         return self._by_agent(observed), {agent: {} for agent in self.agents}
 
     def _by_agent(self, observed: Floats) -> dict[str, Floats]:
+        # A copy that belongs to whoever gets it; those of the agents are its rows.
         own = observed[0].copy()
         return dict(zip(self.agents, own, strict=True))
 
@@ -97,7 +98,7 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
         info = done.endings.get(0, {})
         result = (
             observations,
-            {agent: float(value) for agent, value in zip(agents, done.rewards[0], strict=True)},
+            dict(zip(agents, done.rewards[0].tolist(), strict=True)),
             dict.fromkeys(agents, terminated),
             dict.fromkeys(agents, truncated),
             {agent: dict(info) for agent in agents},
