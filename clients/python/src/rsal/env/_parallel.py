@@ -77,14 +77,16 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
         return self._by_agent(observed), {agent: {} for agent in self.agents}
 
     def _by_agent(self, observed: Floats) -> dict[str, Floats]:
-        # A copy that belongs to whoever gets it; those of the agents are its rows.
         own = observed[0].copy()
         return dict(zip(self.agents, own, strict=True))
 
     def step(
         self, actions: dict[str, Any]
     ) -> tuple[dict[str, Floats], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
-        """Act, and simulate the time of a step."""
+        """Act, and simulate the time of a step.
+
+        Observations are rows of one array. It is new in each step, so they stay as they are.
+        """
         agents = self.agents
         if not agents:
             raise RsalError("The episode is over. Call reset() first.")
