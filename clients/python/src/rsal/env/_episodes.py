@@ -54,6 +54,7 @@ class Episodes:
         self._before: Before | None = None
         self._measured: list[float | None] = [None] * self.count
         self._over = np.zeros(self.count, bool)
+        self._terminated = np.zeros(self.count, bool)  # in the last step
         self._map: tuple[npt.NDArray[np.int8], float, tuple[float, float]] | None = None
 
     @property
@@ -121,9 +122,8 @@ class Episodes:
         return self.worlds.observations
 
     def _begin(self, which: Sequence[int]) -> None:
-        worlds = self.worlds
-        self._before = Before(worlds.observations, worlds.poses, worlds.collisions)
-        measured = worlds.metrics() if isinstance(self._reward, str) else None
+        self._look()
+        measured = self.worlds.metrics() if isinstance(self._reward, str) else None
         for world in which:
             self._steps[world] = 0
             self._over[world] = False
@@ -140,14 +140,21 @@ class Episodes:
         over = worlds.step(given)
         running = ~self._over
         self._steps += running
-        shape = self.count, len(self.layout.learners), len(self.layout.action_fields)
-        rewards = self._rewards(given.reshape(shape), over)
-        self._before = Before(worlds.observations, worlds.poses, worlds.collisions)
-        terminated = np.array([over.get(world, _TIMEOUT) != _TIMEOUT for world in range(self.count)])
-        late = np.zeros(self.count, bool) if self._max_steps is None else self._steps >= self._max_steps
-        truncated = ~terminated & (late | np.array([world in over for world in range(self.count)]))
-        ended = np.flatnonzero((terminated | truncated) & running)
-        endings = {int(world): worlds.finish(int(world)) for world in ended}
+        rewards = self._rewards(given, over)
+        self._look()
+        terminated = np.zeros(self.count, bool)
+        truncated = np.zeros(self.count, bool) if self._max_steps is None else self._steps >= self._max_steps
+        for world, outcome in over.items():
+            terminated[world] = outcome != _TIMEOUT
+            truncated[world] = outcome == _TIMEOUT
+        if not running.all():  # those that have ended before did so as they did then
+            terminated = np.where(running, terminated, self._terminated)
+            truncated = np.where(running, truncated, ~self._terminated)
+        self._terminated = terminated
+        endings: dict[int, dict[str, Any]] = {}
+        if over or self._max_steps is not None:
+            ended = np.flatnonzero((terminated | truncated) & running)
+            endings = {int(world): worlds.finish(int(world)) for world in ended}
         for world, ending in endings.items():
             if isinstance(self._reward, Rules):
                 ending["score"] = self._reward.score(world, ending)
@@ -156,7 +163,13 @@ class Episodes:
                     f"Agent '{agent}' failed in an episode of '{self.spec.scenario}': {why}", RuntimeWarning, 4
                 )
         self._over |= terminated | truncated
-        return Step(worlds.observations, rewards, terminated, truncated, endings)
+        return Step(worlds.observations, rewards, terminated.copy(), truncated, endings)
+
+    def _look(self) -> None:
+        """Remember what a reward may compare with, as the next step writes into the same arrays."""
+        if callable(self._reward):
+            worlds = self.worlds
+            self._before = Before(worlds.observations.copy(), worlds.poses.copy(), worlds.collisions.copy())
 
     def require_running(self, *, ended_too: bool = False) -> None:
         """Check that a step can be made.
@@ -170,8 +183,9 @@ class Episodes:
         if self._over.all() and not ended_too:
             raise RsalError("The episode is over. Call reset() first.")
 
-    def _rewards(self, actions: Floats, over: dict[int, str]) -> Floats:
-        worlds, layout = self.worlds, self.layout
+    def _rewards(self, given: Floats, over: dict[int, str]) -> Floats:
+        worlds = self.worlds
+        layout = worlds.layout
         rewards = np.zeros((self.count, len(layout.learners)), np.float32)
         if isinstance(self._reward, str):
             for world, metrics in enumerate(worlds.metrics()):
@@ -183,6 +197,7 @@ class Episodes:
                 self._measured[world] = value
         elif self._reward is not None:
             before = cast(Before, self._before)
+            actions = given.reshape(self.count, len(layout.learners), -1)
             new = worlds.collisions - before.collisions
             for world in map(int, np.flatnonzero(~self._over)):
                 view = View(

@@ -91,7 +91,10 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
     def step(
         self, actions: dict[str, Any]
     ) -> tuple[dict[str, Floats], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
-        """Act, and simulate the time of a step."""
+        """Act, and simulate the time of a step.
+
+        Observations are rows of one array. It is new in each step, so they stay as they are.
+        """
         agents = self.agents
         if not agents:
             self._episodes.require_running()
@@ -105,7 +108,7 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
         info = done.endings.get(0, {})
         result = (
             observations,
-            {agent: float(value) for agent, value in zip(agents, done.rewards[0], strict=True)},
+            dict(zip(agents, done.rewards[0].tolist(), strict=True)),
             dict.fromkeys(agents, terminated),
             dict.fromkeys(agents, truncated),
             {agent: dict(info) for agent in agents},

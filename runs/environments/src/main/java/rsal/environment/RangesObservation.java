@@ -90,9 +90,9 @@ public final class RangesObservation implements ObservationType {
                         Optional<Stamped<LaserScan>> newest = laser.latest();
                         if (newest.isPresent()) {
                             LaserScan scan = newest.get().value();
-                            fill(scan.ranges(), scan.rangeMin(), to, at);
+                            fill(scan.ranges(), scan.rangeMin(), sectors, max, to, at);
                         } else {
-                            fill(NONE, 0, to, at);
+                            fill(NONE, 0, sectors, max, to, at);
                         }
                     };
                 case SonarArray sonars ->
@@ -100,9 +100,9 @@ public final class RangesObservation implements ObservationType {
                         Optional<Stamped<RangeArray>> newest = sonars.latest();
                         if (newest.isPresent()) {
                             RangeArray array = newest.get().value();
-                            fill(array.ranges(), array.rangeMin(), to, at);
+                            fill(array.ranges(), array.rangeMin(), sectors, max, to, at);
                         } else {
-                            fill(NONE, 0, to, at);
+                            fill(NONE, 0, sectors, max, to, at);
                         }
                     };
                 default ->
@@ -110,24 +110,31 @@ public final class RangesObservation implements ObservationType {
                             .formatted(sensor.info().id()));
             };
         }
+    }
 
-        private void fill(float[] ranges, double least, float[] to, int at) {
-            for (int sector = 0; sector < sectors; sector++) {
-                int beam = (int) ((long) sector * ranges.length / sectors);
-                int end = (int) ((long) (sector + 1) * ranges.length / sectors);
-                if (ranges.length > 0 && ranges.length < sectors) {
-                    beam = (int) ((2L * sector + 1) * ranges.length / (2L * sectors));
-                    end = beam + 1;
-                }
-                float nearest = max;
-                for (; beam < end; beam++) {
-                    double distance = Rep117.distance(ranges[beam], least);
-                    if (distance < nearest) { // false for no reading
-                        nearest = (float) distance;
-                    }
-                }
-                to[at + sector] = nearest;
+    /// Writes the least distance of each sector, of sectors with as many beams as each other, or one more. With fewer
+    /// beams than sectors, each sector has the beam that is next to its middle.
+    ///
+    /// @param least range that the sensor measures [m]
+    /// @param max distance of what is farther, and where nothing is [m]
+    static void fill(float[] ranges, double least, int sectors, float max, float[] to, int at) {
+        boolean isBeam = sectors == ranges.length; // each, so that nothing is divided
+        boolean areFew = ranges.length > 0 && ranges.length < sectors;
+        int beam = 0;
+        for (int sector = 0; sector < sectors; sector++) {
+            int end = isBeam ? sector + 1 : (int) ((long) (sector + 1) * ranges.length / sectors);
+            if (areFew) {
+                beam = (int) ((2L * sector + 1) * ranges.length / (2L * sectors));
+                end = beam + 1;
             }
+            float nearest = max;
+            for (; beam < end; beam++) {
+                double distance = Rep117.distance(ranges[beam], least);
+                if (distance < nearest) { // false for no reading
+                    nearest = (float) distance;
+                }
+            }
+            to[at + sector] = nearest;
         }
     }
 }
