@@ -3,13 +3,27 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 import rsal
 from rsal.studies import Recording, Result
+
+_TEAM = """
+rsal: 1
+scenario: team
+arguments: {{count: {{type: integer, default: 2}}}}
+world: {{map: office}}
+robots:
+  learner: {{count: $count, model: pioneer2dx, pose: {{free: true}}, devices: {{laser: urg04lx}}}}
+  other: {{model: pioneer2dx, pose: [-20, 4, 0], devices: {{laser: urg04lx, pilot: {{}}}}}}
+agents:
+  wander: {{type: wander, robot: other}}
+run: {{stop: [{{when: {end}, outcome: {outcome}}}]}}
+metrics: [{{name: way, from: distance(other)}}]
+"""
 
 CHECKOUT = Path(__file__).parents[3]
 OPTIONS = CHECKOUT / "apps/release/src/main/resources/rsal/release/unpacked/java.options"
@@ -55,3 +69,21 @@ def recording(hunt: Result) -> Recording:
     """The recording of the hunt."""
     assert hunt.recording is not None
     return hunt.recording
+
+
+@pytest.fixture
+def team(tmp_path: Path) -> Callable[..., str]:
+    """Makes the file of a scenario with learners and a robot that wanders, which ends as it is told."""
+
+    def make(end: str = "time >= 100", outcome: str = "timeout") -> str:
+        file = tmp_path / "team.yaml"
+        file.write_text(_TEAM.format(end=end, outcome=outcome), encoding="utf-8")
+        return str(file)
+
+    return make
+
+
+@pytest.fixture
+def scenario(team: Callable[..., str]) -> str:
+    """The same, which ends after 100 s."""
+    return team()

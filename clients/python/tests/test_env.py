@@ -5,8 +5,8 @@ from __future__ import annotations
 import gc
 import os
 import pickle
-from collections.abc import Iterator
-from pathlib import Path
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -14,35 +14,11 @@ import pytest
 from gymnasium import spaces
 from gymnasium.utils.env_checker import check_env
 from pettingzoo.test import max_cycles_test, parallel_api_test, parallel_seed_test
+from pettingzoo.utils.conversions import parallel_to_aec
 
 from rsal import RsalError, env
 from rsal.env import Act, Observe, View
 from rsal.env._worlds import Worlds
-
-_TEAM = """
-rsal: 1
-scenario: team
-arguments: {{count: {{type: integer, default: 2}}}}
-world: {{map: office}}
-robots:
-  learner: {{count: $count, model: pioneer2dx, pose: {{free: true}}, devices: {{laser: urg04lx}}}}
-  other: {{model: pioneer2dx, pose: [-20, 4, 0], devices: {{laser: urg04lx, pilot: {{}}}}}}
-agents:
-  wander: {{type: wander, robot: other}}
-run: {{stop: [{{when: {end}, outcome: {outcome}}}]}}
-metrics: [{{name: way, from: distance(other)}}]
-"""
-
-
-def _scenario(folder: Path, end: str = "time >= 100", outcome: str = "timeout") -> str:
-    file = folder / "team.yaml"
-    file.write_text(_TEAM.format(end=end, outcome=outcome), encoding="utf-8")
-    return str(file)
-
-
-@pytest.fixture
-def scenario(tmp_path: Path) -> str:
-    return _scenario(tmp_path)
 
 
 @pytest.fixture
@@ -74,12 +50,17 @@ def test_pettingzoo_finds_equal_episodes_for_equal_seeds(scenario: str) -> None:
 
 def test_pettingzoo_finds_the_end_of_an_episode(scenario: str) -> None:
     class Module:
+        """The two functions of a module of PettingZoo that its test calls."""
+
         @staticmethod
         def parallel_env(max_cycles: int) -> env.ParallelScenario:
             return env.parallel_env(scenario, learners="learner", max_steps=max_cycles)
 
-        env = None
+        @staticmethod
+        def env(max_cycles: int) -> Any:
+            return parallel_to_aec(Module.parallel_env(max_cycles))
 
+    max_cycles_test(Module)
     made = Module.parallel_env(4)
     made.reset(seed=1)
     lengths = 0
@@ -87,7 +68,6 @@ def test_pettingzoo_finds_the_end_of_an_episode(scenario: str) -> None:
         made.step({agent: np.zeros(2, np.float32) for agent in made.agents})
         lengths += 1
     assert lengths == 4
-    assert callable(max_cycles_test)
     made.close()
 
 
@@ -139,9 +119,9 @@ def test_rewards_come_from_functions_and_from_metrics(scenario: str) -> None:
     by_metric.close()
 
 
-def test_an_episode_ends_as_its_scenario_says(tmp_path: Path) -> None:
+def test_an_episode_ends_as_its_scenario_says(team: Callable[..., str]) -> None:
     for outcome, terminates in (("success", True), ("timeout", False)):
-        made = env.parallel_env(_scenario(tmp_path, "time >= 1", outcome), learners="learner")
+        made = env.parallel_env(team("time >= 1", outcome), learners="learner")
         made.reset(seed=1)
         while made.agents:
             _, _, terminated, truncated, infos = made.step({agent: np.zeros(2) for agent in made.agents})
@@ -207,7 +187,7 @@ def test_errors_say_what_is_wrong(scenario: str) -> None:
     with pytest.raises(RsalError, match=r"nowhere\.yaml"):
         env.parallel_env("nowhere.yaml", learners="learner").reset()
     with pytest.raises(RsalError, match="has 2 robots"):
-        env.single_env(scenario, learners="learner")
+        env.single_env(scenario, learners="learner").reset()
     with pytest.raises(RsalError, match="'count'"):
         env.parallel_env(scenario, learners="learner", arguments={"count": "many"}).reset()
 

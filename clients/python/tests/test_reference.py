@@ -10,6 +10,7 @@ from pathlib import Path
 from types import ModuleType
 
 from rsal import env, studies
+from rsal.env import tasks
 
 _FILE = Path(__file__).resolve().parents[3] / "docs" / "reference" / "python.md"
 
@@ -120,8 +121,23 @@ def test_it_is_that_of_the_docstrings() -> None:
     )
 
 
+def _tasks() -> str:
+    """Return what the declarations of the tasks say, and their module."""
+    lines = ["# Tasks", "", "| Task | Learners | They observe | They do | Score of an episode | Steps | Held out |"]
+    lines.append("|---|---|---|---|---|---|---|")
+    for task in tasks.TASKS.values():
+        seen = ", ".join(f"`{each['type']}`" for each in task.observe)
+        held = ", ".join(f"`{each}`" for each in task.held_out)
+        lines.append(
+            f"| `rsal/{task.name}-v0` | `{task.learners}` | {seen} | `{task.act['type']}` | "
+            f"{task.score}; {task.better} is better | {task.max_steps} of {task.steps / 10} s | {held} |"
+        )
+    head = "\n".join(lines).replace("# Tasks", "## Tasks", 1)
+    return _reference(tasks, f"{head}\n", "rsal.env.tasks")
+
+
 def test_that_of_environments_is_that_of_the_docstrings() -> None:
-    text = _reference(env, _ENVIRONMENTS_HEAD, "rsal.env")
+    text = f"{_reference(env, _ENVIRONMENTS_HEAD, 'rsal.env')}\n{_tasks()}"
     if os.environ.get("RSAL_UPDATE") == "true":
         _ENVIRONMENTS.write_text(text, encoding="utf-8")
     assert _ENVIRONMENTS.read_text(encoding="utf-8") == text

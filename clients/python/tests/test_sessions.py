@@ -3,6 +3,7 @@ from __future__ import annotations
 import asyncio
 import base64
 import hashlib
+import http.server
 import itertools
 import math
 import socket
@@ -14,7 +15,7 @@ from collections.abc import Iterator
 import pytest
 
 import rsal
-from rsal.studies import CommandFailed, Event, Session, SessionError
+from rsal.studies import CommandFailed, Event, Session, SessionError, _sessions
 from rsal.studies._websocket import WebSocket, WebSocketClosed
 
 
@@ -104,7 +105,10 @@ def test_it_shows_itself_in_notebooks(session: Session) -> None:
     assert f'<iframe src="{session.page}"' in html
     with urllib.request.urlopen(session.address + "/") as page:  # noqa: S310 - http
         assert "http://localhost:*" in page.headers["Content-Security-Policy"]
-    assert "<iframe" not in rsal.connect(session.page)._repr_html_()
+    other = rsal.connect(session.page)._repr_html_()
+    assert "<iframe" not in other
+    assert session._token is not None
+    assert session._token not in other, "a notebook is saved, and shown to others"
 
 
 def test_events_end_with_the_run(session: Session) -> None:
@@ -140,7 +144,10 @@ def _frame(kind: int, data: bytes, *, last: bool = True) -> bytes:
 
 
 def _unmasked(stream: socket.socket) -> tuple[int, bytes]:
-    first, second = stream.recv(2, socket.MSG_WAITALL)
+    head = stream.recv(2, socket.MSG_WAITALL)
+    if len(head) < 2:
+        return 8, b""
+    first, second = head
     size = second & 127
     if size == 126:
         size = struct.unpack(">H", stream.recv(2, socket.MSG_WAITALL))[0]
@@ -207,3 +214,90 @@ def test_what_does_not_come_is_none_and_comes_later() -> None:
     assert client.receive() is None
     client.close()
     server.join()
+
+
+def _silent(monkeypatch: pytest.MonkeyPatch, frames: list[bytes]) -> Session:
+    """A session of which nothing is there but its events."""
+    server = _Server(frames, 1000)
+    session = Session("http://127.0.0.1:9", None)
+    client = WebSocket(server.url, headers={}, context=None, patience=0.3)
+    monkeypatch.setattr(session, "_live", lambda: client)
+    return session
+
+
+_STARTED = b'{"run": {"number": 1}, "events": {"events": [%s]}}' % (
+    b'{"sequence": 1, "time": 0.5, "kind": "run", "subject": "", "text": "starts", "said": null}'
+)
+
+
+def test_a_lost_connection_is_no_end_of_the_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    events = iter(_silent(monkeypatch, [_frame(1, _STARTED), _frame(8, b"")]).events())
+    assert next(events).text == "starts"
+    with pytest.raises(SessionError, match="its run had not ended"):
+        next(events)
+    over = _silent(monkeypatch, [_frame(1, _STARTED), _frame(8, b"")])
+    monkeypatch.setattr(over, "status", lambda: {"outcome": "success"})
+    assert len(list(over.events())) == 1
+
+
+def test_waiting_for_events_can_be_canceled(monkeypatch: pytest.MonkeyPatch) -> None:
+    session = _silent(monkeypatch, [_frame(1, _STARTED)])
+    monkeypatch.setattr(session, "status", lambda: {"outcome": ""})
+    seen: list[Event] = []
+
+    async def watch() -> None:
+        async for event in session.events():
+            seen.append(event)
+
+    async def for_a_while() -> None:
+        with pytest.raises(asyncio.TimeoutError):
+            await asyncio.wait_for(watch(), 0.5)
+
+    asyncio.run(for_a_while())
+    assert [event.text for event in seen] == ["starts"]
+
+
+class _Busy(http.server.BaseHTTPRequestHandler):
+    """Answers 503 some times, then with a state."""
+
+    left = 0
+
+    def do_GET(self) -> None:
+        type(self).left -= 1
+        body = b'{"outcome": "success", "time": 3}' if self.left < 0 else b'{"message": "in time"}'
+        self.send_response(200 if self.left < 0 else 503)
+        self.send_header("Content-Type", "application/json")
+        self.send_header("Content-Length", str(len(body)))
+        self.end_headers()
+        self.wfile.write(body)
+
+    def log_message(self, *_: object) -> None:
+        """Say nothing."""
+
+
+def test_it_waits_for_a_run_that_is_busy(monkeypatch: pytest.MonkeyPatch) -> None:
+    with http.server.HTTPServer(("127.0.0.1", 0), _Busy) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        session = Session(f"http://127.0.0.1:{server.server_port}", None)
+        _Busy.left = 2
+        assert session.wait(timeout=5) == "success"
+        _Busy.left = 2
+        assert session.time == 3
+        _Busy.left = 1000
+        monkeypatch.setattr(_sessions, "_PATIENCE", 0.3)
+        with pytest.raises(SessionError, match="in time") as refused:
+            session.status()
+        assert refused.value.status == 503
+        server.shutdown()
+
+
+def test_a_pong_to_nobody_closes(monkeypatch: pytest.MonkeyPatch) -> None:
+    client = WebSocket(_Server([_frame(9, b"ping")], 100).url, headers={}, context=None, patience=2)
+
+    def broken(*_: object) -> None:
+        raise BrokenPipeError
+
+    monkeypatch.setattr(client, "_send", broken)
+    with pytest.raises(WebSocketClosed):
+        client.receive()
+    client.close()

@@ -3,11 +3,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pandas as pd
 import pytest
 
 import rsal
-from rsal.studies import CommandFailed, Result
+from rsal.studies import CommandFailed, Result, _sweeps
 
 _SWEEP: dict[str, Any] = {"vary": {"hunters": range(1, 3)}, "seeds": range(6, 8), "hunterSpeed": 0.6}
 
@@ -68,7 +69,17 @@ def test_another_sweep_in_the_same_folder_is_refused(swept: pd.DataFrame) -> Non
         rsal.sweep("hunt-and-prey", out=swept.attrs["folder"], seeds=2, progress=False)
 
 
-@pytest.mark.parametrize("seeds", [0, [], [1, 3], [3, 2]])
+def test_a_single_value_counts_as_one(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    words: list[str] = []
+    monkeypatch.setattr(_sweeps, "call", lambda given, **_: words.extend(given))
+    monkeypatch.setattr(_sweeps, "rows", lambda _: None)
+    vary = {"assignment": "fixed", "hunters": 3, "prey": np.int64(2), "speed": np.array([0.5, 1.0])}
+    rsal.sweep("hunt-and-prey", out=tmp_path, vary=vary, seeds=np.int64(3), progress=False)
+    assert [each for each in words if "=" in each] == ["assignment=fixed", "hunters=3", "prey=2", "speed=0.5,1.0"]
+    assert words[words.index("--seeds") + 1] == "1:3"
+
+
+@pytest.mark.parametrize("seeds", [0, [], [1, 3], [3, 2], 2.5, "ab", np.int64(0)])
 def test_seeds_must_be_consecutive(seeds: Any, folder: Path) -> None:
     with pytest.raises(rsal.RsalError, match="seeds is"):
         rsal.sweep("hunt-and-prey", out=folder / "none", seeds=seeds)

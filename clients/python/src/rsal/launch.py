@@ -14,7 +14,7 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 JAVA_LEAST = 25
 UNREACHABLE = 5
@@ -227,6 +227,13 @@ def environment() -> dict[str, str]:
     if os.name != "nt" and locale in ("C", "POSIX"):
         variables["LC_ALL"] = "C.UTF-8"
     return variables
+
+
+def apart() -> dict[str, Any]:
+    """Return options of ``subprocess.Popen`` with which Ctrl-C of a terminal does not reach the command."""
+    if os.name == "nt":
+        return {"creationflags": getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0)}
+    return {"start_new_session": True}
 
 
 def _word(value: bool) -> str:

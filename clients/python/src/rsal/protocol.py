@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import json
 import struct
-from typing import Any, BinaryIO
+from io import BufferedIOBase
+from typing import Any, BinaryIO, cast
 
 VERSION = 1
 LONGEST = 64 * 1024 * 1024
@@ -33,22 +34,58 @@ class Frames:
         self._read = source.read
         self._write = sink.write
         self._flush = sink.flush
+        self._source = source
+        self._again: tuple[bytes, dict[str, Any]] = (b"{}", {})
 
     def read(self) -> tuple[dict[str, Any], memoryview] | None:
         """Return the words and the arrays of the next frame; ``None`` when the other side has ended."""
+        lengths = self._lengths()
+        if lengths is None:
+            return None
+        length, words = lengths
+        body = self._read(length)
+        if len(body) < length:
+            return None
+        return _decode(str(body[:words], "utf-8")), memoryview(body)[words:]
+
+    def _lengths(self) -> tuple[int, int] | None:
+        """Read how long a frame is, and its words."""
         head = self._read(_HEAD.size)
         if len(head) < _HEAD.size:
             return None
         length, words = _HEAD.unpack(head)
         if not 0 <= words <= length <= LONGEST:
             raise ProtocolError(f"A frame cannot have {length} bytes with {words} of words.")
-        body = self._read(length)
-        if len(body) < length:
+        return length, words
+
+    def read_into(self, arrays: bytearray) -> dict[str, Any] | None:
+        """Read a frame whose arrays have a known size into a buffer, and return its words, which must not be changed.
+
+        A frame without arrays leaves the buffer as it is. ``None`` when the other side has ended.
+        """
+        lengths = self._lengths()
+        if lengths is None:
             return None
-        return _decode(str(body[:words], "utf-8")), memoryview(body)[words:]
+        length, words = lengths
+        if length - words not in (0, len(arrays)):
+            raise ProtocolError(f"A frame has arrays of {length - words} bytes instead of {len(arrays)}.")
+        text = self._read(words)
+        if text != self._again[0]:  # most are like the one before
+            self._again = (text, _decode(str(text, "utf-8")))
+        if length > words and cast(BufferedIOBase, self._source).readinto(arrays) < len(arrays):
+            return None
+        return self._again[1]
 
     def write(self, words: dict[str, Any], arrays: bytes = b"") -> None:
         """Write a frame."""
-        text = _encode(words).encode()
+        self.write_text(self.text(words), arrays)
+
+    @staticmethod
+    def text(words: dict[str, Any]) -> bytes:
+        """Return words as they are written, for frames that have the same ones again and again."""
+        return _encode(words).encode()
+
+    def write_text(self, text: bytes, arrays: bytes = b"") -> None:
+        """Write a frame with words that :meth:`text` gave."""
         self._write(_HEAD.pack(len(text) + len(arrays), len(text)) + text + arrays)
         self._flush()

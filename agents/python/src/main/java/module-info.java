@@ -7,6 +7,8 @@ module rsal.python {
 
     exports rsal.python;
 
+    uses rsal.python.ObservationService;
+
     provides rsal.agent.AgentLanguage with
             rsal.python.PythonLanguage;
 }

@@ -10,7 +10,9 @@ if TYPE_CHECKING:
     from rsal.agents.conversations import Award, Call, Question, Refusal, Result
     from rsal.agents.devices import Device, Goal, Robot, Stamped, Subscription
     from rsal.agents.link import RsalError
+    from rsal.agents.network import Network
     from rsal.agents.param import Param
+    from rsal.agents.policy import PolicyAgent
     from rsal.agents.values import Point2d, Pose2d, Twist2d
     from rsal.agents.waiting import Pending
 
@@ -33,7 +35,9 @@ _MODULES = {
     "Stamped": "devices",
     "Subscription": "devices",
     "RsalError": "link",
+    "Network": "network",
     "Param": "param",
+    "PolicyAgent": "policy",
     "Point2d": "values",
     "Pose2d": "values",
     "Twist2d": "values",
@@ -50,10 +54,12 @@ __all__ = [
     "Goal",
     "Message",
     "Mind",
+    "Network",
     "Note",
     "Param",
     "Pending",
     "Point2d",
+    "PolicyAgent",
     "Pose2d",
     "Question",
     "Refusal",

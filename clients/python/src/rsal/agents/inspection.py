@@ -10,6 +10,8 @@ from typing import Any
 from rsal.protocol import Frames
 
 KINDS = {"float": "NUMBER", "int": "INTEGER", "str": "TEXT", "bool": "FLAG"}
+BASES = {"Agent", "PolicyAgent"}
+"""Names of the classes that agents inherit from."""
 KEYWORDS = ["min", "max", "unit", "choices", "robots", "description"]
 
 
@@ -88,7 +90,9 @@ def _line_of(agent: ast.ClassDef, classes: dict[str, ast.ClassDef]) -> list[ast.
 def _agent(tree: ast.Module, wanted: str) -> ast.ClassDef:
     classes = _classes(tree)
     agents = {
-        name: each for name, each in classes.items() if any("Agent" in _bases(one) for one in _line_of(each, classes))
+        name: each
+        for name, each in classes.items()
+        if any(BASES.intersection(_bases(one)) for one in _line_of(each, classes))
     }
     if wanted:
         if wanted in agents:

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import os
+import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
 
 from rsal.env._spec import Spec
-from rsal.env._view import Reward, View
-from rsal.env._worlds import Floats, Integers, Layout, Worlds
+from rsal.env._view import Before, Reward, Rules, View
+from rsal.env._worlds import Floats, Layout, Worlds
 from rsal.launch import RsalError
 
 _TIMEOUT = "timeout"
 _SEEDS = 2**31
+_CLOSED = "The environment is closed. Call reset() to begin again."
 
 
 @dataclass(frozen=True)
@@ -28,7 +31,7 @@ class Step:
     terminated: npt.NDArray[np.bool_]
     truncated: npt.NDArray[np.bool_]
     endings: dict[int, dict[str, Any]]
-    """Outcome, seconds, metrics and event hash of the episodes that have ended."""
+    """Outcome, seconds, metrics, event hash and failed agents of the episodes that have ended."""
 
 
 class Episodes:
@@ -37,103 +40,201 @@ class Episodes:
     def __init__(
         self, spec: Spec, count: int, threads: int | None, reward: Reward | str | None, max_steps: int | None
     ) -> None:
-        if max_steps is not None and max_steps < 1:
-            raise RsalError(f"max_steps must be at least 1, not '{max_steps}'.")
         self.spec = spec
-        self.count = count
-        self._threads = threads or min(count, os.cpu_count() or 1)
+        self.count = whole("num_envs", count)
+        self._threads = min(self.count, os.cpu_count() or 1) if threads is None else whole("threads", threads)
         self._reward = reward
-        self._max_steps = max_steps
+        self._max_steps = None if max_steps is None else whole("max_steps", max_steps)
         self._worlds: Worlds | None = None
-        self._random = np.random.default_rng()
-        self._steps = np.zeros(count, np.int64)
-        self._collisions: Integers = np.zeros((count, 0), np.int32)  # after the last step or reset
-        self._measured: list[float] = [0.0] * count
+        self._layout: Layout | None = None
+        self._closed = False
+        self._begun = False
+        self._random = [np.random.default_rng() for _ in range(self.count)]
+        self._steps = np.zeros(self.count, np.int64)
+        self._before: Before | None = None
+        self._measured: list[float | None] = [None] * self.count
+        self._over = np.zeros(self.count, bool)
+        self._terminated = np.zeros(self.count, bool)  # in the last step
+        self._map: tuple[npt.NDArray[np.int8], float, tuple[float, float]] | None = None
 
     @property
     def worlds(self) -> Worlds:
         """The process, which is started if it was not."""
-        if self._worlds is None:
-            self._worlds = Worlds(self.spec, self._draw(self.count), self._threads)
-            self._begun(range(self.count))
-        return self._worlds
+        if self._closed:
+            raise RsalError(_CLOSED)
+        return self._worlds or self._start([self._draw(world) for world in range(self.count)])
+
+    def _start(self, seeds: list[int]) -> Worlds:
+        worlds = Worlds(self.spec, seeds, self._threads)
+        try:
+            if isinstance(self._reward, str) and self._reward not in worlds.layout.metrics:
+                raise RsalError(
+                    f"The scenario has no metric '{self._reward}' for a reward. "
+                    f"It has: {', '.join(worlds.layout.metrics) or '(none)'}."
+                )
+            self._worlds, self._layout, self._closed = worlds, worlds.layout, False
+            self._begin(range(self.count))
+        except BaseException:
+            self._worlds = None
+            worlds.close()
+            raise
+        return worlds
 
     @property
     def layout(self) -> Layout:
-        """What the numbers mean."""
-        return self.worlds.layout
+        """What the numbers mean. It starts the process if nothing did, and stays known when that has ended."""
+        return self._layout or self.worlds.layout
 
-    def _draw(self, count: int) -> list[int]:
-        return [int(seed) for seed in self._random.integers(_SEEDS, size=count)]
+    def _draw(self, world: int) -> int:
+        return int(self._random[world].integers(_SEEDS))
 
-    def reset(self, seeds: list[int] | None = None) -> Floats:
-        """Begin a new episode in each world; without seeds, with the next ones of the generator."""
+    def reset(self, seeds: Sequence[int] | None = None) -> Floats:
+        """Begin a new episode in each world; without seeds, with the next one of each world's generator."""
         if seeds is not None:
-            self._random = np.random.default_rng(seeds)
-            first: list[int] = [int(seed) for seed in seeds]
+            first = self._checked(seeds)
+            self._random = [np.random.default_rng(seed) for seed in first]
         else:
-            first = self._draw(self.count)
+            first = [self._draw(world) for world in range(self.count)]
+        if self._worlds is not None and self._worlds.is_broken:
+            self._worlds.close()
+            self._worlds = None
         if self._worlds is None:
-            self._worlds = Worlds(self.spec, first, self._threads)
+            worlds = self._start(first)
         else:
-            self._worlds.reset(range(self.count), first)
-        self._begun(range(self.count))
-        return self._worlds.observations
+            worlds = self._worlds
+            worlds.reset(range(self.count), first)
+            self._begin(range(self.count))
+        self._begun = True
+        return worlds.observations
+
+    def _checked(self, seeds: Sequence[int]) -> list[int]:
+        if len(seeds) != self.count:
+            raise RsalError(f"There are {len(seeds)} seeds for {self.count} worlds: each world needs one.")
+        for seed in seeds:
+            if not isinstance(seed, int | np.integer) or seed < 0:
+                raise RsalError(f"A seed must be a whole number from 0 on, not '{seed}'.")
+        return [int(seed) for seed in seeds]
 
     def restart(self, which: list[int]) -> Floats:
-        """Begin a new episode in some worlds, with the next seeds of the generator."""
-        self.worlds.reset(which, self._draw(len(which)))
-        self._begun(which)
+        """Begin a new episode in some worlds, with the next seed of each world's generator."""
+        self.worlds.reset(which, [self._draw(world) for world in which])
+        self._begin(which)
         return self.worlds.observations
 
-    def _begun(self, which: range | list[int]) -> None:
-        self._collisions = self.worlds.collisions
+    def _begin(self, which: Sequence[int]) -> None:
+        self._look()
+        measured = self.worlds.metrics() if isinstance(self._reward, str) else None
         for world in which:
             self._steps[world] = 0
-            self._measured[world] = 0.0
+            self._over[world] = False
+            self._measured[world] = measured[world].get(str(self._reward)) if measured else None
 
-    def step(self, actions: npt.ArrayLike) -> Step:
-        """Act in all worlds."""
+    def step(self, actions: npt.ArrayLike, *, ended_too: bool = False) -> Step:
+        """Act in all worlds that are not over.
+
+        :param ended_too: whether it is no error when all of them are over
+        """
+        self.require_running(ended_too=ended_too)
         worlds = self.worlds
         given = np.asarray(actions, np.float32)
         over = worlds.step(given)
-        self._steps += 1
-        rewards = self._rewards(given.reshape(self.count, len(self.layout.learners), -1), over)
-        self._collisions = worlds.collisions
-        terminated = np.array([over.get(world, _TIMEOUT) != _TIMEOUT for world in range(self.count)])
-        late = np.zeros(self.count, bool) if self._max_steps is None else self._steps >= self._max_steps
-        truncated = ~terminated & (late | np.array([world in over for world in range(self.count)]))
-        endings = {int(world): worlds.finish(int(world)) for world in np.flatnonzero(terminated | truncated)}
-        return Step(worlds.observations, rewards, terminated, truncated, endings)
+        running = ~self._over
+        self._steps += running
+        rewards = self._rewards(given, over)
+        self._look()
+        terminated = np.zeros(self.count, bool)
+        truncated = np.zeros(self.count, bool) if self._max_steps is None else self._steps >= self._max_steps
+        for world, outcome in over.items():
+            terminated[world] = outcome != _TIMEOUT
+            truncated[world] = outcome == _TIMEOUT
+        if not running.all():  # those that have ended before did so as they did then
+            terminated = np.where(running, terminated, self._terminated)
+            truncated = np.where(running, truncated, ~self._terminated)
+        self._terminated = terminated
+        endings: dict[int, dict[str, Any]] = {}
+        if over or self._max_steps is not None:
+            ended = np.flatnonzero((terminated | truncated) & running)
+            endings = {int(world): worlds.finish(int(world)) for world in ended}
+        for world, ending in endings.items():
+            if isinstance(self._reward, Rules):
+                ending["score"] = self._reward.score(world, ending)
+            for agent, why in ending["failed"].items():
+                warnings.warn(
+                    f"Agent '{agent}' failed in an episode of '{self.spec.scenario}': {why}", RuntimeWarning, 4
+                )
+        self._over |= terminated | truncated
+        return Step(worlds.observations, rewards, terminated.copy(), truncated, endings)
 
-    def _rewards(self, actions: Floats, over: dict[int, str]) -> Floats:
-        worlds, layout = self.worlds, self.layout
+    def _look(self) -> None:
+        """Remember what a reward may compare with, as the next step writes into the same arrays."""
+        if callable(self._reward):
+            worlds = self.worlds
+            self._before = Before(worlds.observations.copy(), worlds.poses.copy(), worlds.collisions.copy())
+
+    def require_running(self, *, ended_too: bool = False) -> None:
+        """Check that a step can be made.
+
+        :raises RsalError: when the environment is closed, or has no episode that goes on
+        """
+        if self._closed:
+            raise RsalError(_CLOSED)
+        if not self._begun:
+            raise RsalError("No episode has begun. Call reset() first.")
+        if self._over.all() and not ended_too:
+            raise RsalError("The episode is over. Call reset() first.")
+
+    def _rewards(self, given: Floats, over: dict[int, str]) -> Floats:
+        worlds = self.worlds
+        layout = worlds.layout
         rewards = np.zeros((self.count, len(layout.learners)), np.float32)
         if isinstance(self._reward, str):
             for world, metrics in enumerate(worlds.metrics()):
-                value = metrics.get(self._reward, self._measured[world])
-                rewards[world] = value - self._measured[world]
+                value = metrics.get(self._reward)
+                if self._over[world] or value is None:
+                    continue
+                known = self._measured[world]
+                rewards[world] = 0 if known is None else value - known
                 self._measured[world] = value
         elif self._reward is not None:
-            new = worlds.collisions - self._collisions
-            for world in range(self.count):
-                rewards[world] = self._reward(
-                    View(
-                        layout=layout,
-                        observations=worlds.observations[world],
-                        actions=actions[world],
-                        all_poses=worlds.poses[world],
-                        all_collisions=worlds.collisions[world],
-                        new_collisions=new[world],
-                        time=float(self._steps[world]) * layout.period,
-                        outcome=over.get(world, ""),
-                        metrics=lambda world=world: worlds.metrics()[world],  # type: ignore[misc]
-                    )
+            before = cast(Before, self._before)
+            actions = given.reshape(self.count, len(layout.learners), -1)
+            new = worlds.collisions - before.collisions
+            for world in map(int, np.flatnonzero(~self._over)):
+                view = View(
+                    layout=layout,
+                    world=world,
+                    observations=worlds.observations[world],
+                    actions=actions[world],
+                    all_poses=worlds.poses[world],
+                    all_collisions=worlds.collisions[world],
+                    new_collisions=new[world],
+                    time=float(self._steps[world]) * layout.period,
+                    outcome=over.get(world, ""),
+                    metrics=lambda world=world: worlds.metrics()[world],  # type: ignore[misc]
+                    floor=self._floor,
+                    past=before,
                 )
+                reward = self._reward(view)
+                if layout.learners:  # without any, only scores are asked for
+                    rewards[world] = reward
         return rewards
+
+    def _floor(self) -> tuple[npt.NDArray[np.int8], float, tuple[float, float]]:
+        if self._map is None:
+            self._map = self.worlds.map()
+        return self._map
 
     def close(self) -> None:
         """End the process; the next reset starts another one."""
+        self._closed = True
+        self._begun = False
         if self._worlds is not None:
             self._worlds.close()
             self._worlds = None
+
+
+def whole(name: str, value: int) -> int:
+    """Return a number of things, of Python or numpy, from 1 on."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
+        raise RsalError(f"{name} must be a whole number of at least 1, not '{value}'.")
+    return int(value)

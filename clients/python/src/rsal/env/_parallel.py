@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
@@ -14,14 +15,14 @@ from rsal.env._episodes import Episodes
 from rsal.env._spaces import action_space, observation_space
 from rsal.env._spec import Spec
 from rsal.env._view import Reward
-from rsal.env._worlds import Floats
+from rsal.env._worlds import Floats, Layout
 from rsal.launch import RsalError
 
 
 class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
     """Robots of one role learn together. All learners act in each step, until the episode ends for all of them."""
 
-    metadata: ClassVar[dict[str, Any]] = {"render_modes": ["rgb_array"], "is_parallelizable": True, "render_fps": 10}
+    metadata: ClassVar[dict[str, Any]] = {"render_modes": ["rgb_array"], "is_parallelizable": True, "render_fps": 10.0}
 
     def __init__(
         self,
@@ -43,13 +44,20 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
         return _made, self._made
 
     @property
+    def layout(self) -> Layout:
+        """What the numbers mean. It starts the process that simulates, if nothing did."""
+        layout = self._episodes.layout
+        self.metadata["render_fps"] = 1 / layout.period
+        return layout
+
+    @property
     def possible_agents(self) -> list[str]:
         """Ids of the robots that learn."""
-        return list(self._episodes.layout.learners)
+        return list(self.layout.learners)
 
     def _space(self, agent: str) -> tuple[spaces.Space[Any], spaces.Space[Any]]:
         if not self._spaces:
-            layout = self._episodes.layout
+            layout = self.layout
             self._spaces = {each: (observation_space(layout), action_space(layout)) for each in layout.learners}
         return self._spaces[agent]
 
@@ -64,7 +72,7 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
     @property
     def fields(self) -> tuple[str, ...]:
         """What each number of an observation is, with its unit."""
-        return self._episodes.layout.fields
+        return self.layout.fields
 
     def reset(
         self,
@@ -83,10 +91,13 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
     def step(
         self, actions: dict[str, Any]
     ) -> tuple[dict[str, Floats], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
-        """Act, and simulate the time of a step."""
+        """Act, and simulate the time of a step.
+
+        Observations are rows of one array. It is new in each step, so they stay as they are.
+        """
         agents = self.agents
         if not agents:
-            raise RsalError("The episode is over. Call reset() first.")
+            self._episodes.require_running()
         missing = [agent for agent in agents if agent not in actions]
         if missing:
             raise RsalError(f"There is no action of {', '.join(repr(agent) for agent in missing)}.")
@@ -97,7 +108,7 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
         info = done.endings.get(0, {})
         result = (
             observations,
-            {agent: float(value) for agent, value in zip(agents, done.rewards[0], strict=True)},
+            dict(zip(agents, done.rewards[0].tolist(), strict=True)),
             dict.fromkeys(agents, terminated),
             dict.fromkeys(agents, truncated),
             {agent: dict(info) for agent in agents},
@@ -126,8 +137,9 @@ def _made(spec: Spec, reward: Reward | str | None, max_steps: int | None, render
 
 
 def parallel_env(
-    scenario: str,
+    scenario: str | Path,
     *,
+    configuration: str | None = None,
     learners: str,
     observe: Sequence[str | Mapping[str, Any]] | None = None,
     act: str | Mapping[str, Any] | None = None,
@@ -139,14 +151,26 @@ def parallel_env(
 ) -> ParallelScenario:
     """Make a scenario an environment of PettingZoo.
 
-    :param scenario: its name or file, with a configuration: ``hunt-and-prey:advanced``
+    :param scenario: its name or file, maybe with a configuration: ``hunt-and-prey:advanced``
+    :param configuration: the configuration, if the name has none; by default the first one
     :param learners: the role of the robots that learn; their agents are replaced
     :param observe: what they observe (:class:`Observe`); ranges and velocity by default
     :param act: how they act (:class:`Act`); velocities by default
-    :param reward: a function of a :class:`View`, or the name of a metric whose change is the reward; 0 by default
+    :param reward: a function of a :class:`View`, whose numbers are in the order of ``view.layout.learners``; or the
+        name of a metric, whose change in a step is the reward of each learner. A metric that has no value at the
+        reset gives 0 until it has one, and then its changes. By default rewards are 0
     :param steps: steps of the scenario in a step of the environment
     :param max_steps: steps of the environment after which an episode is truncated
     :param arguments: arguments of the scenario, for a curriculum
+    :param render_mode: ``rgb_array`` for pictures by ``render()``; by default there are none
     """
-    spec = Spec.of(scenario=scenario, learners=learners, observe=observe, act=act, steps=steps, arguments=arguments)
+    spec = Spec.of(
+        scenario=scenario,
+        configuration=configuration,
+        learners=learners,
+        observe=observe,
+        act=act,
+        steps=steps,
+        arguments=arguments,
+    )
     return ParallelScenario(spec, reward=reward, max_steps=max_steps, render_mode=render_mode)

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import gymnasium
 import numpy as np
+from gymnasium import spaces
 
 from rsal.env._drawing import Picture, Pictures
 from rsal.env._episodes import Episodes
 from rsal.env._spaces import action_space, observation_space
 from rsal.env._spec import Spec
 from rsal.env._view import Reward
-from rsal.env._worlds import Floats
+from rsal.env._worlds import Floats, Layout
 from rsal.launch import RsalError
 
 
@@ -28,24 +30,52 @@ class SingleScenario(gymnasium.Env[Floats, Any]):
         max_steps: int | None = None,
         render_mode: str | None = None,
     ) -> None:
-        self.metadata = {"render_modes": ["rgb_array"], "render_fps": 10}
+        self._made = (spec, reward, max_steps, render_mode)
+        self.metadata = {"render_modes": ["rgb_array"], "render_fps": 10.0}
         self.render_mode = render_mode
         self._episodes = Episodes(spec, 1, 1, reward, max_steps)
         self._pictures = Pictures(self._episodes, render_mode)
+        self._spaces: tuple[spaces.Space[Any], spaces.Space[Any]] | None = None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _made, self._made
+
+    @property
+    def layout(self) -> Layout:
+        """What the numbers mean. It starts the process that simulates, if nothing did.
+
+        :raises RsalError: when not exactly one robot learns
+        """
         layout = self._episodes.layout
         if len(layout.learners) != 1:
             self.close()
             raise RsalError(
-                f"The role '{spec.learners}' has {len(layout.learners)} robots, and Gymnasium needs one. "
+                f"The role '{self._made[0].learners}' has {len(layout.learners)} robots, and Gymnasium needs one. "
                 "Use parallel_env, or an argument of the scenario for one robot."
             )
-        self.observation_space = observation_space(layout)
-        self.action_space = action_space(layout)
+        self.metadata["render_fps"] = 1 / layout.period
+        return layout
+
+    def _known_spaces(self) -> tuple[spaces.Space[Any], spaces.Space[Any]]:
+        if self._spaces is None:
+            layout = self.layout
+            self._spaces = observation_space(layout), action_space(layout)
+        return self._spaces
+
+    @property
+    def observation_space(self) -> spaces.Space[Any]:  # type: ignore[override]
+        """The space of observations, always the same object."""
+        return self._known_spaces()[0]
+
+    @property
+    def action_space(self) -> spaces.Space[Any]:  # type: ignore[override]
+        """The space of actions, always the same object."""
+        return self._known_spaces()[1]
 
     @property
     def fields(self) -> tuple[str, ...]:
         """What each number of an observation is, with its unit."""
-        return self._episodes.layout.fields
+        return self.layout.fields
 
     def reset(
         self,
@@ -55,7 +85,9 @@ class SingleScenario(gymnasium.Env[Floats, Any]):
     ) -> tuple[Floats, dict[str, Any]]:
         """Begin an episode. Without a seed, it gets the next one of the generator that the last seed has set."""
         super().reset(seed=seed)
-        return self._episodes.reset(None if seed is None else [seed])[0, 0].copy(), {}
+        observed = self._episodes.reset(None if seed is None else [seed])
+        _ = self.layout
+        return observed[0, 0].copy(), {}
 
     def step(self, action: Any) -> tuple[Floats, float, bool, bool, dict[str, Any]]:
         """Act, and simulate the time of a step."""
@@ -77,9 +109,14 @@ class SingleScenario(gymnasium.Env[Floats, Any]):
         self._episodes.close()
 
 
+def _made(spec: Spec, reward: Reward | str | None, max_steps: int | None, render_mode: str | None) -> SingleScenario:
+    return SingleScenario(spec, reward=reward, max_steps=max_steps, render_mode=render_mode)
+
+
 def single_env(
-    scenario: str,
+    scenario: str | Path,
     *,
+    configuration: str | None = None,
     learners: str,
     observe: Sequence[str | Mapping[str, Any]] | None = None,
     act: str | Mapping[str, Any] | None = None,
@@ -90,5 +127,13 @@ def single_env(
     render_mode: str | None = None,
 ) -> SingleScenario:
     """Make a scenario with one learner an environment of Gymnasium; parameters are those of :func:`parallel_env`."""
-    spec = Spec.of(scenario=scenario, learners=learners, observe=observe, act=act, steps=steps, arguments=arguments)
+    spec = Spec.of(
+        scenario=scenario,
+        configuration=configuration,
+        learners=learners,
+        observe=observe,
+        act=act,
+        steps=steps,
+        arguments=arguments,
+    )
     return SingleScenario(spec, reward=reward, max_steps=max_steps, render_mode=render_mode)

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 Words = dict[str, Any]
 
@@ -14,8 +17,10 @@ class Observe:
 
     @staticmethod
     def ranges(*, sectors: int = 36, max_range: float = 8.0, device: str = "") -> Words:
-        """Observe ranges of a laser or of sonars [m]: of each sector the least one, from right to left.
+        """Observe ranges of a laser or of sonars [m]: of each sector the least one.
 
+        A laser's sectors are from right to left; those of sonars are in the order of the device, which is from left to
+        right for a Pioneer's. With fewer beams than sectors, each sector has the beam that is next to its middle.
         Nothing in reach, and no reading, are ``max_range``. ``device`` is the sensor's name; the first one by default.
         """
         return {"type": "ranges", "sectors": sectors, "max": max_range, "device": device}
@@ -42,9 +47,69 @@ class Observe:
         return {"type": "nearest", "role": role, "count": count, "max": reach}
 
     @staticmethod
-    def place(x: float, y: float, *, reach: float = 100.0) -> Words:
-        """Observe where a place of the map is, by the truth: x and y in the base frame [m]."""
-        return {"type": "place", "x": x, "y": y, "max": reach}
+    def place(x: float, y: float, *, source: str = "truth", reach: float = 100.0) -> Words:
+        """Observe where a place of the map is: x and y in the base frame [m].
+
+        ``source`` of the robot's pose is the ``localizer`` or the ``truth``.
+        """
+        return {"type": "place", "x": x, "y": y, "from": source, "max": reach}
+
+    @staticmethod
+    def markers(
+        *,
+        first: int = 0,
+        last: int = 1_000_000,
+        count: int = 1,
+        visited: float = 0.0,
+        home: float = 0.0,
+        reach: float = 10.0,
+    ) -> Words:
+        """Observe the nearest markers that the robot sees: x and y in the base frame [m], and 1 if there is one.
+
+        Only ids from ``first`` to ``last`` count. With ``visited``, a marker does not count any more once it has been
+        nearer than this; with ``home``, markers that near the robot's start do not count.
+        """
+        return {
+            "type": "markers",
+            "first": first,
+            "last": last,
+            "count": count,
+            "visited": visited,
+            "home": home,
+            "max": reach,
+        }
+
+    @staticmethod
+    def slot(leader: int, slots: str, *, reach: float = 10.0) -> Words:
+        """Observe the robot's own slot in a formation: x and y in the base frame [m], and what it sees of the leader.
+
+        ``leader`` is the id of the leader's marker; ``slots`` are in the leader's frame, ``"-1 1; -1 -1"``, the first
+        one for the first robot of the role. Then come cosine and sine of the leader's heading, and 1 while it is seen.
+        """
+        return {"type": "slot", "leader": leader, "slots": slots, "max": reach}
+
+    @staticmethod
+    def visited(*, directions: int = 8, distance: float = 1.5, cell: float = 0.75) -> Words:
+        """Observe in which directions the robot has been already, by its localizer: 1 for each where it has been."""
+        return {"type": "visited", "directions": directions, "distance": distance, "cell": cell}
+
+    @staticmethod
+    def home(*, reach: float = 100.0) -> Words:
+        """Observe where the robot has started, by its localizer: x and y in the base frame [m]."""
+        return {"type": "home", "max": reach}
+
+    @staticmethod
+    def gripper() -> Words:
+        """Observe whether the gripper holds something: 1 if so."""
+        return {"type": "gripper"}
+
+    @staticmethod
+    def idleness(places: str, *, role: str = "", radius: float = 1.0, most: float = 1000.0) -> Words:
+        """Observe places by the truth: x and y in the base frame [m], and for how many steps nobody was there.
+
+        ``places`` are in the map, ``"2 3; 4 -1"``; ``role`` is that of the robots that visit them.
+        """
+        return {"type": "idleness", "places": places, "role": role, "radius": radius, "max": most}
 
 
 class Act:
@@ -57,7 +122,10 @@ class Act:
 
     @staticmethod
     def discrete(*, speed: float = 0.4, turn: float = 1.0) -> Words:
-        """Choose: stand (0), forward (1), turn left (2), turn right (3), backward (4); speed [m/s] and turn [rad/s]."""
+        """Choose: stand (0), forward (1), turn left (2), turn right (3), backward (4); speed [m/s] and turn [rad/s].
+
+        Other numbers are an error.
+        """
         return {"type": "discrete", "speed": speed, "turn": turn}
 
     @staticmethod
@@ -65,9 +133,24 @@ class Act:
         """Send the robot's navigator to a position in the base frame [m], at most ``reach`` along each axis."""
         return {"type": "goal", "reach": reach}
 
+    @staticmethod
+    def carry(*, forward: float = 0.5, backward: float = 0.2, turn: float = 1.5) -> Words:
+        """Drive at a velocity, and open the gripper if the third number is at least 0.5 and it holds something."""
+        return {"type": "carry", "forward": forward, "backward": backward, "turn": turn}
+
+    @staticmethod
+    def place(places: str) -> Words:
+        """Send the robot's navigator to one of some places of the map, ``"2 3; 4 -1"``."""
+        return {"type": "place", "places": places}
+
 
 def _words(given: str | Mapping[str, Any]) -> Words:
-    return {"type": given} if isinstance(given, str) else dict(given)
+    return {"type": given} if isinstance(given, str) else {name: _plain(value) for name, value in given.items()}
+
+
+def _plain(value: Any) -> Any:
+    """Return numbers and arrays of numpy as those of Python."""
+    return value.tolist() if isinstance(value, np.generic | np.ndarray) else value
 
 
 @dataclass(frozen=True)
@@ -88,7 +171,8 @@ class Spec:
     def of(
         cls,
         *,
-        scenario: str,
+        scenario: str | Path,
+        configuration: str | None = None,
         learners: str,
         observe: Sequence[str | Mapping[str, Any]] | None,
         act: str | Mapping[str, Any] | None,
@@ -98,11 +182,11 @@ class Spec:
         """Fill in what was left out: ranges and velocity are observed, and actions are velocities."""
         seen = [Observe.ranges(), Observe.velocity()] if observe is None else observe
         return cls(
-            scenario=scenario,
+            scenario=f"{scenario}:{configuration}" if configuration else str(scenario),
             learners=learners,
             observe=tuple(_words(each) for each in seen),
             act=_words(Act.velocity() if act is None else act),
-            steps=steps,
+            steps=_plain(steps),
             arguments=dict(arguments or {}),
         )
 
@@ -127,5 +211,6 @@ class Spec:
         }
 
 
-def _text(value: object) -> str:
+def _text(given: object) -> str:
+    value = _plain(given)
     return str(value).lower() if isinstance(value, bool) else str(value)

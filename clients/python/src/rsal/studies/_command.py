@@ -86,10 +86,10 @@ def call_json(arguments: Sequence[str], **options: Any) -> Any:
 
 
 def start(arguments: Sequence[str], **options: Any) -> subprocess.Popen[bytes]:
-    """Start a command that reads nothing."""
+    """Start a command that reads nothing, and that Ctrl-C of a terminal does not reach."""
     words = launch.command(arguments)
     try:
-        return subprocess.Popen(words, stdin=subprocess.DEVNULL, env=launch.environment(), **options)
+        return subprocess.Popen(words, stdin=subprocess.DEVNULL, env=launch.environment(), **launch.apart(), **options)
     except OSError as error:
         raise launch.RsalError(f"'{words[0]}' cannot be started: {error.strerror}.") from error
 

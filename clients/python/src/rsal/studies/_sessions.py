@@ -32,6 +32,7 @@ DEFAULT_PORT = 8735
 _LOOK = 0.1  # s, between two looks at what is awaited
 _PATIENCE = 15.0  # s, for an answer
 _START = 60.0  # s, until the page of a new session is there
+_BUSY = 503  # HTTP's status when the run did not answer in time
 _EXECUTING = "executing"
 _PAGE = re.compile(rb"Watch it at (http://\S+)")
 _METRIC = re.compile(r"^(\w+(?:\{.*\})?) (\S+)$")
@@ -115,6 +116,12 @@ def connect(
         SessionError: there is no such page.
 
     """
+    session = _session(page, token, certificate)
+    session.status()
+    return session
+
+
+def _session(page: int | str | None = None, token: str | None = None, certificate: str | Path | None = None) -> Session:
     if isinstance(page, str) and not page.isdigit():
         address = urlsplit(page)
         if address.scheme not in ("http", "https") or not address.hostname:
@@ -124,12 +131,9 @@ def connect(
         base = f"{address.scheme}://{address.netloc}"
         local = address.hostname in ("127.0.0.1", "localhost", "::1")
         key = token or (_tokens().get(address.port or 80) if local else None)
-        session = Session(base, key, certificate)
-    else:
-        port = _port() if page is None else int(page)
-        session = Session(f"http://127.0.0.1:{port}", token or _tokens().get(port))
-    session.status()
-    return session
+        return Session(base, key, certificate)
+    port = _port() if page is None else int(page)
+    return Session(f"http://127.0.0.1:{port}", token or _tokens().get(port))
 
 
 def _tokens() -> dict[int, str]:
@@ -224,7 +228,8 @@ def serve(
             if time.monotonic() > deadline:
                 raise SessionError(f"'rsal {' '.join(words)}' has no page after {_START:.0f} s.")
             time.sleep(0.05)
-        session = connect(found.group(1).decode("ascii"))
+        session = _session(found.group(1).decode("ascii"))
+        session._asked("/api/status", max(deadline, time.monotonic() + _PATIENCE))
         session._process = process
         weakref.finalize(session, stop, process)  # also at the end of this program
         return session
@@ -243,7 +248,8 @@ class Session:
     """A running session. Made by ``connect`` and ``serve``; its methods may be called from any thread.
 
     In Jupyter, it shows the state of its robots and a link to its page. Sessions of ``serve`` also show the page
-    itself, in notebooks at ``localhost`` or ``127.0.0.1``.
+    itself, in notebooks at ``localhost`` or ``127.0.0.1``. What is shown is saved with the notebook: for sessions of
+    ``serve`` with the token of the page, which is of no use once the session has ended; for others without a token.
     """
 
     def __init__(self, address: str, token: str | None, certificate: str | Path | None = None) -> None:
@@ -299,9 +305,22 @@ class Session:
         return f"'{self.address}{path}' is refused ({error.code}): {sentence}{hint}"
 
     def status(self) -> dict[str, Any]:
-        """Return the state: ``time``, ``outcome`` (empty while the run lasts), ``robots``, ``agents``, ``goals``."""
-        answer: dict[str, Any] = self.ask("/api/status")
+        """Return the state: ``time``, ``outcome`` (empty while the run lasts), ``robots``, ``agents``, ``goals``.
+
+        It waits for a run that is busy, for 15 s.
+        """
+        answer: dict[str, Any] = self._asked("/api/status", time.monotonic() + _PATIENCE)
         return answer
+
+    def _asked(self, path: str, deadline: float) -> Any:
+        """Ask until the run answers: a server whose run has not answered in time says so after a second."""
+        while True:
+            try:
+                return self.ask(path)
+            except SessionError as error:
+                if error.status != _BUSY or time.monotonic() > deadline:
+                    raise
+            time.sleep(_LOOK)
 
     @property
     def time(self) -> float:
@@ -315,7 +334,9 @@ class Session:
 
     def metrics(self) -> dict[str, float]:
         """Return the numbers for Prometheus (docs/how-to/metrics.md), by name with labels."""
-        found = (_METRIC.match(line) for line in str(self.ask("/metrics")).splitlines())
+        found = (
+            _METRIC.match(line) for line in str(self._asked("/metrics", time.monotonic() + _PATIENCE)).splitlines()
+        )
         return {each.group(1): float(each.group(2)) for each in found if each}
 
     def tell(self, command: str, **parameters: object) -> dict[str, Any]:
@@ -412,6 +433,12 @@ class Session:
         except (OSError, WebSocketClosed) as error:
             raise SessionError(f"There is no session at '{self.address}': {error}.") from None
 
+    def _is_over(self) -> bool:
+        """Whether the run is known to have ended."""
+        with suppress(SessionError):
+            return bool(self.outcome)
+        return False
+
     def close(self) -> None:
         """End the session, if ``serve`` has started it; otherwise do nothing."""
         if self._process is not None:
@@ -438,12 +465,14 @@ class Session:
             for robot in status["robots"]
         )
         state = status["outcome"] or ("paused" if status["paused"] else "running")
-        frame = _FRAME.format(page=escape(self.page)) if self._process is not None else ""
+        frame, link = "", f"{self.address}/"
+        if self._process is not None:  # a token that ends with this session may be saved in a notebook
+            frame, link = _FRAME.format(page=escape(self.page)), self.page
         return (
             f"<b>{escape(status['scenario'])}:{escape(status['configuration'])}</b>, "
             f"seed {escape(str(status['seed']))}: "
             f"{escape(state)} at {status['time']:.1f} s. "
-            f'<a href="{escape(self.page)}" target="_blank">Open the page</a>'
+            f'<a href="{escape(link)}" target="_blank">Open the page</a>'
             f"<table><tr><th>robot</th><th>x [m]</th><th>y [m]</th><th>active controller</th></tr>{rows}</table>{frame}"
         )
 
@@ -456,22 +485,37 @@ class Events:
         self._session = session
 
     def __iter__(self) -> Iterator[Event]:
-        """Iterate until the run ends or another one begins."""
+        """Iterate until the run ends or another one begins.
+
+        Raises:
+            SessionError: the session cannot be reached, or ends before its run does.
+
+        """
         return _events(self._session, threading.Event())
 
     async def __aiter__(self) -> AsyncIterator[Event]:
         """Iterate without blocking the event loop: waiting is done in another thread."""
         left = threading.Event()
         events = _events(self._session, left)
+        coming: asyncio.Future[Event | None] | None = None
         try:
             while True:
-                event = await asyncio.to_thread(next, events, None)
+                coming = asyncio.ensure_future(asyncio.to_thread(next, events, None))
+                event = await asyncio.shield(coming)  # a thread cannot be canceled
                 if event is None:
                     return
                 yield event
         finally:
-            left.set()
-            await asyncio.to_thread(events.close)
+            left.set()  # which it sees within a second
+            await asyncio.shield(asyncio.ensure_future(_ended(events, coming)))
+
+
+async def _ended(events: Generator[Event, None, None], coming: asyncio.Future[Event | None] | None) -> None:
+    """Close a generator when the thread that is in it has left it."""
+    if coming is not None:
+        with suppress(Exception):
+            await coming
+    await asyncio.to_thread(events.close)
 
 
 def _events(session: Session, left: threading.Event) -> Generator[Event, None, None]:
@@ -499,7 +543,11 @@ def _events(session: Session, left: threading.Event) -> Generator[Event, None, N
                 if batch:
                     socket.send(json.dumps({"events": batch[-1]["sequence"]}))
     except WebSocketClosed:
-        return
+        if left.is_set() or session._is_over():
+            return
+        raise SessionError(
+            f"The session at '{session.address}' has ended the connection, and its run had not ended."
+        ) from None
     finally:
         socket.close()
 

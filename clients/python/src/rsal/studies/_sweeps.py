@@ -6,6 +6,7 @@ import contextlib
 import csv
 import json
 import math
+import operator
 import sys
 import time
 from collections.abc import Iterable, Mapping, Sequence
@@ -28,7 +29,7 @@ def sweep(
     scenario: str | Path,
     *,
     out: str | Path,
-    vary: Mapping[str, Iterable[object]] | None = None,
+    vary: Mapping[str, Iterable[object] | object] | None = None,
     configuration: str | Sequence[str] | None = None,
     seeds: int | Iterable[int] = 10,
     seconds: float | None = None,
@@ -45,7 +46,7 @@ def sweep(
     Args:
         scenario: a scenario of RSAL, a scenario file or its folder.
         out: folder for the rows, which ``rsal report`` also reads. It is made if it does not exist.
-        vary: values by argument: ``{"hunters": range(1, 5)}``. All combinations are run.
+        vary: values by argument: ``{"hunters": range(1, 5)}``; a single one counts as one. All combinations are run.
         configuration: one or several of the scenario; by default its first.
         seeds: how many (from 1), or consecutive numbers such as ``range(101, 121)``. All combinations have the same.
         seconds: each run ends after this number of simulated seconds.
@@ -60,7 +61,7 @@ def sweep(
 
     """
     first, last = _seeds(seeds)
-    values = {name: [word(each) for each in levels] for name, levels in (vary or {}).items()}
+    values = {name: [word(each) for each in _levels(levels)] for name, levels in (vary or {}).items()}
     for name, levels in values.items():
         if not levels or any("," in level for level in levels):
             raise RsalError(f"vary['{name}'] is {levels}. It needs at least one value, and none with a comma.")
@@ -89,8 +90,18 @@ def sweep(
     return rows(out)
 
 
+def _levels(levels: Iterable[object] | object) -> Iterable[object]:
+    """Return values of an argument; a word or a number is one."""
+    return levels if isinstance(levels, Iterable) and not isinstance(levels, (str, bytes)) else [levels]
+
+
 def _seeds(seeds: int | Iterable[int]) -> tuple[int, int]:
-    numbers = list(range(1, seeds + 1)) if isinstance(seeds, int) else [int(each) for each in seeds]
+    numbers: list[int] = []
+    with contextlib.suppress(TypeError):  # what is no whole number is refused below
+        if isinstance(seeds, Iterable):
+            numbers = [operator.index(each) for each in seeds]
+        else:
+            numbers = list(range(1, operator.index(seeds) + 1))
     if not numbers or numbers != list(range(numbers[0], numbers[0] + len(numbers))):
         raise RsalError(
             f"seeds is '{seeds}'. It must be a number of seeds (at least 1), or consecutive seeds in rising order, "

@@ -74,12 +74,15 @@ class WebSocket:
                 kind, last, data = self._frame()
             except TimeoutError:
                 return None
-            except (ConnectionError, ssl.SSLError) as error:
+            except OSError as error:  # TLS has its own
                 raise WebSocketClosed from error
             if kind == _CLOSE:
                 raise WebSocketClosed
             if kind == _PING:
-                self._send(_PONG, data)
+                try:
+                    self._send(_PONG, data)
+                except OSError as error:
+                    raise WebSocketClosed from error
             if kind in (_CONTINUATION, _TEXT, _BINARY):
                 if kind != _CONTINUATION:
                     self._kind, self._parts = kind, []

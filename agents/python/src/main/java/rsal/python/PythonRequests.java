@@ -44,6 +44,7 @@ final class PythonRequests implements PythonWorker.Peer {
     private final Map<Integer, GoalHandle<?, ?>> goals = new HashMap<>(); // that go on, by number
     private final PythonConversations conversations;
     private final PythonMind mind;
+    private final PythonPolicy policy;
 
     /// Told what Python listens to.
     interface Heard {
@@ -62,6 +63,7 @@ final class PythonRequests implements PythonWorker.Peer {
         this.seed = self.random().nextLong() >>> 1; // Python's are not negative
         this.conversations = new PythonConversations(self, heard);
         this.mind = new PythonMind(self);
+        this.policy = new PythonPolicy(self, heard);
     }
 
     Optional<Robot> robot() {
@@ -151,6 +153,9 @@ final class PythonRequests implements PythonWorker.Peer {
             case "state" -> self.state(asked.text(0));
             case "show" -> self.show(asked.text(0), asked.text(1));
             case "metric" -> self.metric(asked.text(0), FromWords.number(asked.argument(1)));
+            case "observe" ->
+                policy.begin(asked.number(0), asked.list(1), asked.argument(2), asked.seconds(3), asked.seconds(4));
+            case "act" -> policy.act(asked.list(0));
             case "believe", "forget", "pursue", "reached", "drop" -> mind.perform(asked);
             default -> conversations.perform(asked);
         }

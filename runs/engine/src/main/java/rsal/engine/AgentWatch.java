@@ -34,22 +34,32 @@ final class AgentWatch {
         this.giveUp = giveUp;
     }
 
+    /// For somebody who looks once a second.
+    AgentWatch(AgentTurns turns, int patience) {
+        this(turns, patience, new CompletableFuture<>(), _ -> {});
+    }
+
     /// Until the run has ended.
     void run() {
         while (!ending.isDone()) {
             try {
                 ending.get(PERIOD.toMillis(), TimeUnit.MILLISECONDS);
             } catch (TimeoutException _) {
-                look();
+                tell();
             } catch (InterruptedException | ExecutionException e) {
                 throw new AssertionError("Nobody interrupts it, and both endings are handled.", e);
             }
         }
     }
 
-    private void look() {
+    /// Which agent has not returned, and where it is.
+    Optional<RunBroken> look() {
+        return watchdog.look().map(this::broken);
+    }
+
+    private void tell() {
         try {
-            watchdog.look().map(this::broken).ifPresent(giveUp);
+            look().ifPresent(giveUp);
         } catch (OutOfMemoryError _) {
             // what the run does about it is its own matter; the next look may have enough
         }

@@ -1,6 +1,7 @@
 package rsal.engine;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -20,8 +21,8 @@ import rsal.time.LockstepScheduler;
 import rsal.time.Phase;
 
 /// A run in simulated time on the thread of the one who advances it: for programs that act between its steps, such as
-/// learning environments. It starts no thread, nobody watches it, and an agent that never returns blocks it. The same
-/// plan makes the same events as in a [LiveRun].
+/// learning environments. It starts no thread. An agent that never returns blocks it, which a [SteppedWatch] finds on
+/// another thread. The same plan makes the same events as in a [LiveRun].
 ///
 /// All methods are called on one thread.
 @AllowedToReadWallClock("Its result says how long it took.")
@@ -31,13 +32,16 @@ public final class SteppedRun implements AutoCloseable {
     private final LockstepScheduler time;
     private final RunClock clock;
     private final EventLog eventLog;
+    private final SteppedWatch watch;
+    private final AgentTurns turns = new AgentTurns();
     private final MetricsObserver metrics;
     private final RunAssembly assembly;
     private @Nullable String outcome;
     private @Nullable RunResult result;
 
-    private SteppedRun(RunPlan plan) {
+    private SteppedRun(RunPlan plan, SteppedWatch watch) {
         this.plan = plan;
+        this.watch = watch;
         this.time = new LockstepScheduler();
         this.clock = new RunClock(time);
         this.eventLog = new EventLog(clock::elapsed, () -> {}, Optional.empty());
@@ -49,7 +53,7 @@ public final class SteppedRun implements AutoCloseable {
                 eventLog,
                 metrics,
                 new Traffic(eventLog, metrics, plan.communication().isPresent()),
-                new AgentTurns(),
+                turns,
                 new SentGoals(clock::elapsed));
     }
 
@@ -58,14 +62,21 @@ public final class SteppedRun implements AutoCloseable {
     /// @throws IllegalArgumentException when its time is not simulated
     /// @throws RunBroken when a robot system or an agent host can't be made
     public static SteppedRun begin(RunPlan plan) {
+        return begin(plan, new SteppedWatch());
+    }
+
+    /// The same, for somebody who looks whether its agents return.
+    public static SteppedRun begin(RunPlan plan, SteppedWatch watch) {
         if (plan.clock() != RunPlan.Clock.SIMULATED) {
             throw new IllegalArgumentException("Only a run in simulated time can be advanced step by step.");
         }
-        var run = new SteppedRun(plan);
+        var run = new SteppedRun(plan, watch);
+        watch.add(run.turns);
         try {
             run.begin();
             return run;
         } catch (RuntimeException | Error e) {
+            watch.remove(run.turns);
             run.assembly.close();
             throw e;
         }
@@ -122,6 +133,11 @@ public final class SteppedRun implements AutoCloseable {
         return values;
     }
 
+    /// The names of all metrics of the scenario, also of those without a value.
+    public List<String> metricNames() {
+        return metrics.findings().stream().map(MetricsObserver.Finding::name).toList();
+    }
+
     /// Ends it, if it goes on.
     ///
     /// @return its result: always the same
@@ -135,6 +151,7 @@ public final class SteppedRun implements AutoCloseable {
             known = RunReporter.result(plan, outcome, metrics, (System.nanoTime() - began) / 1e9, eventLog, assembly);
             result = known;
             assembly.close();
+            watch.remove(turns);
         }
         return known;
     }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
@@ -51,6 +52,28 @@ class WatchdogTest {
             Endless.RELEASE.release();
         }
         ended.await(); // until it lets go of everything after all
+    }
+
+    @Test
+    void anEndlessAgentOfASteppedRunIsNamed() throws InterruptedException {
+        var watch = new SteppedWatch(PATIENCE);
+        Thread stepping = Thread.ofPlatform().start(() -> {
+            try (SteppedRun run = SteppedRun.begin(plan("endless", RunOptions.NONE), watch)) {
+                run.advance(20);
+            }
+        });
+        try {
+            Optional<String> found = Optional.empty();
+            while (found.isEmpty()) {
+                Thread.sleep(20);
+                found = watch.look();
+            }
+            assertThat(found.get()).contains("Agent 'chase' has not returned for 2 s", "Endless");
+        } finally {
+            Endless.RELEASE.release();
+        }
+        stepping.join();
+        assertThat(watch.look()).isEmpty();
     }
 
     @Test

@@ -13,7 +13,8 @@ import rsal.scenario.Scenario;
 /// What all episodes of an environment have in common. Immutable.
 ///
 /// @param options configuration and arguments; its seed is that of each episode
-/// @param role of the robots that learn: their agents are replaced, all others take part as they are
+/// @param role of the robots that learn: their agents are replaced, all others take part as they are. Empty for none:
+///     then the scenario's own agents can be measured as learners are
 /// @param observations of each learner, one after the other
 /// @param steps of the scenario in a step of the environment
 public record Blueprint(
@@ -53,6 +54,9 @@ public record Blueprint(
     /// @throws IllegalArgumentException when no robot has the role of the learners
     RunPlan plan(long seed, LearnerType learners) {
         RunPlan plan = scenario.plan(options.withSeed(seed).withSpeed(Double.POSITIVE_INFINITY));
+        if (role.isEmpty()) {
+            return plan;
+        }
         List<String> ids = plan.robots().stream()
                 .map(PlannedRobot::spec)
                 .filter(robot -> robot.role().equals(role))

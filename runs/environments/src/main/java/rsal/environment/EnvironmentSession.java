@@ -8,6 +8,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
+import rsal.engine.SteppedWatch;
 import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
 
@@ -21,14 +22,26 @@ import rsal.scenario.RunOptions;
 /// | `step` | array: the actions of all learners | `over`: the worlds that are over and how; all arrays |
 /// | `reset` | `worlds`, `seeds` | all arrays |
 /// | `metrics` | | `metrics` of each world |
-/// | `finish` | `world` | `outcome`, `seconds`, `metrics`, `eventHash` |
+/// | `finish` | `world` | `outcome`, `seconds`, `metrics`, `eventHash`, `failed` agents |
 /// | `map` | | `width`, `height`, `resolution` [m], `origin` [m]; array: its cells |
+///
+/// The request `close` is of those who have a process: it ends with it.
 ///
 /// All arrays are the observations, the true poses (both 32-bit numbers) and the collisions (32-bit integers) of all
 /// worlds ([Worlds]).
 public final class EnvironmentSession implements AutoCloseable {
     private final Environments environments = new Environments();
+    private final SteppedWatch watch;
     private @Nullable Worlds worlds;
+
+    public EnvironmentSession() {
+        this(new SteppedWatch());
+    }
+
+    /// @param watch for those who look whether agents return
+    public EnvironmentSession(SteppedWatch watch) {
+        this.watch = watch;
+    }
 
     /// @param words texts, numbers, flags, lists and maps
     /// @param arrays each a `float[]`, an `int[]` or a `byte[]`
@@ -70,18 +83,16 @@ public final class EnvironmentSession implements AutoCloseable {
                 map(words.get("act")),
                 integer(words, "steps", 1));
         long[] seeds = numbers(words.get("seeds"));
-        var opened = new Worlds(blueprint, seeds, integer(words, "threads", 1));
+        var opened = new Worlds(blueprint, seeds, integer(words, "threads", 1), watch);
         worlds = opened;
         Blueprint.Layout layout = opened.layout();
         var fields = new ArrayList<String>();
         var low = new ArrayList<Float>();
         var high = new ArrayList<Float>();
         for (LearnerObservation observation : blueprint.observations()) {
-            for (String field : observation.fields()) {
-                fields.add(field);
-                low.add(observation.low());
-                high.add(observation.high());
-            }
+            fields.addAll(observation.fields());
+            low.addAll(list(observation.low()));
+            high.addAll(list(observation.high()));
         }
         var answer = new LinkedHashMap<String, Object>();
         answer.put("learners", layout.learners());
@@ -94,6 +105,7 @@ public final class EnvironmentSession implements AutoCloseable {
         answer.put("actionLow", list(blueprint.action().low()));
         answer.put("actionHigh", list(blueprint.action().high()));
         answer.put("choices", blueprint.action().choices());
+        answer.put("metrics", opened.metricNames());
         return new Answer(answer, arrays(opened));
     }
 
@@ -143,7 +155,8 @@ public final class EnvironmentSession implements AutoCloseable {
                         "outcome", result.outcome(),
                         "seconds", result.simulatedSeconds(),
                         "metrics", metrics,
-                        "eventHash", result.eventHash()),
+                        "eventHash", result.eventHash(),
+                        "failed", result.failed()),
                 List.of());
     }
 

@@ -40,12 +40,23 @@ public final class Environments {
             List<Map<String, Object>> observed,
             Map<String, Object> acted,
             int steps) {
+        return new Blueprint(Scenario.load(scenario), options, role, observations(observed), action(acted), steps);
+    }
+
+    /// @param observed each with its `type` and parameters
+    /// @throws IllegalArgumentException in a sentence for people
+    List<LearnerObservation> observations(List<Map<String, Object>> observed) {
         var wanted = new ArrayList<LearnerObservation>();
         for (Map<String, Object> words : observed) {
             wanted.add(make("observation", observations, words, type -> type::create));
         }
-        LearnerAction action = make("action", actions, acted, type -> type::create);
-        return new Blueprint(Scenario.load(scenario), options, role, wanted, action, steps);
+        return wanted;
+    }
+
+    /// @param acted its `type` and parameters
+    /// @throws IllegalArgumentException in a sentence for people
+    LearnerAction action(Map<String, Object> acted) {
+        return make("action", actions, acted, type -> type::create);
     }
 
     private static <P extends Plugin, M> M make(

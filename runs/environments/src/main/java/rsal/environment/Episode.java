@@ -12,19 +12,21 @@ import rsal.data.Pose2d;
 import rsal.device.SimulationControl;
 import rsal.device.SimulationControl.Contact;
 import rsal.engine.SteppedRun;
+import rsal.engine.SteppedWatch;
 import rsal.engine.report.RunResult;
 import rsal.robot.Robot;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedRobot;
 
 /// One run of an environment, from its reset to its end. Of one thread at a time.
-public final class Episode implements AutoCloseable {
+public final class Episode implements Truth, AutoCloseable {
     static final int TRUTH = 3; // numbers of a pose
 
     private final Blueprint blueprint;
     private final RunPlan plan;
     private final SteppedRun run;
     private final List<Learner> learners;
+    private final List<String> learnerIds; // in their order; a learner itself knows its robot in its turn only
     private final List<String> robots; // ids of all, in the order of the plan
     private final Map<String, Integer> numbers = new HashMap<>(); // of robots, by id
     private final Pose2d[] truth; // map from base, by number
@@ -42,6 +44,7 @@ public final class Episode implements AutoCloseable {
         this.plan = plan;
         this.run = run;
         this.learners = List.copyOf(type.byRobot().values());
+        this.learnerIds = learners.stream().map(learner -> learner.robot().id()).toList();
         this.robots = plan.robots().stream().map(robot -> robot.spec().id()).toList();
         robots.forEach(id -> numbers.put(id, numbers.size()));
         this.truth = new Pose2d[robots.size()];
@@ -67,12 +70,13 @@ public final class Episode implements AutoCloseable {
     /// stand:
     /// after it, all sensors have measured.
     ///
+    /// @param watch for those who look whether its agents return
     /// @throws rsal.settings.InvalidSettings when the scenario has errors
     /// @throws IllegalArgumentException when a robot lacks what an observation or an action needs
-    public static Episode begin(Blueprint blueprint, long seed) {
+    public static Episode begin(Blueprint blueprint, long seed, SteppedWatch watch) {
         var type = new LearnerType();
         RunPlan plan = blueprint.plan(seed, type);
-        SteppedRun run = SteppedRun.begin(plan);
+        SteppedRun run = SteppedRun.begin(plan, watch);
         try {
             run.advance(1);
             return new Episode(blueprint, plan, run, type);
@@ -86,17 +90,31 @@ public final class Episode implements AutoCloseable {
     public Blueprint.Layout layout() {
         var roles = new LinkedHashMap<String, String>();
         plan.robots().stream().map(PlannedRobot::spec).forEach(robot -> roles.put(robot.id(), robot.role()));
-        return new Blueprint.Layout(
-                learners.stream().map(learner -> learner.robot().id()).toList(),
-                roles,
-                plan.step().toNanos() / 1e9 * blueprint.steps());
+        return new Blueprint.Layout(learnerIds, roles, plan.step().toNanos() / 1e9 * blueprint.steps());
+    }
+
+    /// Checks what a step would do. Does nothing once it is over.
+    ///
+    /// @param actions [Blueprint#acted] numbers for each learner
+    /// @param at index of the first one
+    /// @throws IllegalArgumentException when one is not finite, or is none of the choices
+    public void check(float[] actions, int at) {
+        if (isOver()) {
+            return;
+        }
+        int size = own.length;
+        for (int learner = 0; learner < actors.size(); learner++) {
+            for (int i = 0; i < size; i++) {
+                blueprint.action().check(i, actions[at + learner * size + i], learnerIds.get(learner));
+            }
+        }
     }
 
     /// Acts, and simulates the time of a step. Does nothing once it is over.
     ///
-    /// @param actions [Blueprint#acted] numbers for each learner; those beyond their limits count as the limit
+    /// @param actions [Blueprint#acted] numbers for each learner, which were checked. Those beyond their limits
+    ///     count as the limit
     /// @param at index of the first one
-    /// @throws IllegalArgumentException when one is not finite
     public void step(float[] actions, int at) {
         if (isOver()) {
             return;
@@ -104,15 +122,7 @@ public final class Episode implements AutoCloseable {
         int size = own.length;
         for (int learner = 0; learner < actors.size(); learner++) {
             for (int i = 0; i < size; i++) {
-                float value = actions[at + learner * size + i];
-                if (!Float.isFinite(value)) {
-                    throw new IllegalArgumentException("Action '%s' of learner '%s' must be finite, not '%s'."
-                            .formatted(
-                                    blueprint.action().fields().get(i),
-                                    learners.get(learner).robot().id(),
-                                    value));
-                }
-                own[i] = Math.clamp(value, low[i], high[i]);
+                own[i] = Math.clamp(actions[at + learner * size + i], low[i], high[i]);
             }
             if (learners.get(learner).isActive()) {
                 actors.get(learner).act(own, 0);
@@ -173,18 +183,21 @@ public final class Episode implements AutoCloseable {
         System.arraycopy(collisions, 0, to, at, collisions.length);
     }
 
-    /// The true pose of a robot in `map`; where it was last when it is gone.
-    Pose2d truth(int robot) {
+    @Override
+    public Pose2d truth(int robot) {
         return truth[robot];
     }
 
-    /// The number of a robot, in the order of the plan.
-    int number(String robot) {
+    /// {@inheritDoc}
+    ///
+    /// In the order of the plan.
+    @Override
+    public int number(String robot) {
         return numbers.getOrDefault(robot, -1);
     }
 
-    /// Numbers of the robots that have a role; of all robots, if it is empty.
-    int[] numbers(String role) {
+    @Override
+    public int[] numbers(String role) {
         return plan.robots().stream()
                 .map(PlannedRobot::spec)
                 .filter(robot -> role.isEmpty() || robot.role().equals(role))
@@ -209,6 +222,11 @@ public final class Episode implements AutoCloseable {
     /// The metrics of the scenario as they are now, by name; those without a value are left out.
     public Map<String, Double> metrics() {
         return run.metrics();
+    }
+
+    /// Names of all metrics of the scenario, also of those without a value.
+    public List<String> metricNames() {
+        return run.metricNames();
     }
 
     /// Ends it, if it goes on.

@@ -18,6 +18,24 @@ public interface LearnerAction {
         return 0;
     }
 
+    /// Checks a number before anything is done. Those beyond their limits are none of its errors, but choices are.
+    ///
+    /// @param number which of the numbers
+    /// @param robot that is to act
+    /// @throws IllegalArgumentException when it is not finite, or is none of the choices
+    default void check(int number, float value, String robot) {
+        if (!Float.isFinite(value)) {
+            throw new IllegalArgumentException("Action '%s' of robot '%s' must be finite, not '%s'."
+                    .formatted(fields().get(number), robot, value));
+        }
+        int choices = choices();
+        if (choices > 0 && (value < 0 || value >= choices || value != Math.rint(value))) {
+            throw new IllegalArgumentException(
+                    "Action '%s' of robot '%s' must be a whole number from 0 to %d, not '%s'."
+                            .formatted(fields().get(number), robot, choices - 1, value));
+        }
+    }
+
     /// Acts by a learner's robot, for one episode.
     ///
     /// @throws IllegalArgumentException when the robot lacks what it needs

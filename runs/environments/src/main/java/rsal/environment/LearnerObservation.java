@@ -8,18 +8,18 @@ public interface LearnerObservation {
     /// What each number is, with its unit: `forward [m/s]`.
     List<String> fields();
 
-    /// The least value of any of its numbers.
-    float low();
+    /// The least value of each number.
+    float[] low();
 
-    /// The greatest value of any of its numbers.
-    float high();
+    /// The greatest value of each number.
+    float[] high();
 
-    /// Reads it from a robot, for one episode.
+    /// Reads it from a robot, for one world.
     ///
     /// @throws IllegalArgumentException when the robot lacks what it needs
-    Reader of(Robot robot, Episode episode);
+    Reader of(Robot robot, Truth world);
 
-    /// Writes the numbers of one robot as they are now. On the thread that steps the episode.
+    /// Writes the numbers of one robot as they are now. On the thread that steps the world.
     @FunctionalInterface
     interface Reader {
         /// @param at index of its first number

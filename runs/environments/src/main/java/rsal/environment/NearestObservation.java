@@ -54,19 +54,19 @@ public final class NearestObservation implements ObservationType {
         }
 
         @Override
-        public float low() {
-            return -Math.max(1, max);
+        public float[] low() {
+            return Bounds.repeated(count, -max, -max, 0);
         }
 
         @Override
-        public float high() {
-            return Math.max(1, max);
+        public float[] high() {
+            return Bounds.repeated(count, max, max, 1);
         }
 
         @Override
-        public Reader of(Robot robot, Episode episode) {
-            int own = episode.number(robot.id());
-            int[] others = Arrays.stream(episode.numbers(role))
+        public Reader of(Robot robot, Truth world) {
+            int own = world.number(robot.id());
+            int[] others = Arrays.stream(world.numbers(role))
                     .filter(number -> number != own)
                     .toArray();
             if (others.length == 0) {
@@ -74,12 +74,12 @@ public final class NearestObservation implements ObservationType {
                         "Robot '%s' has no other robots of the role '%s' for the observation 'nearest'."
                                 .formatted(robot.id(), role));
             }
-            return (to, at) -> write(episode, own, others, to, at);
+            return (to, at) -> write(world, own, others, to, at);
         }
 
         /// Takes the nearest, then the nearest of the rest, as there are few.
-        private void write(Episode episode, int own, int[] others, float[] to, int at) {
-            Pose2d mapFromBase = episode.truth(own);
+        private void write(Truth world, int own, int[] others, float[] to, int at) {
+            Pose2d mapFromBase = world.truth(own);
             Pose2d baseFromMap = mapFromBase.inverse();
             double taken = -1; // squared distance of the last one
             int takenNumber = -1;
@@ -87,8 +87,8 @@ public final class NearestObservation implements ObservationType {
                 int nearest = -1;
                 double least = (double) max * max;
                 for (int other : others) {
-                    double dx = episode.truth(other).x() - mapFromBase.x();
-                    double dy = episode.truth(other).y() - mapFromBase.y();
+                    double dx = world.truth(other).x() - mapFromBase.x();
+                    double dy = world.truth(other).y() - mapFromBase.y();
                     double squared = dx * dx + dy * dy;
                     boolean isLeft = squared > taken || (squared == taken && other > takenNumber);
                     if (isLeft && squared <= least && (nearest < 0 || squared < least)) {
@@ -102,7 +102,7 @@ public final class NearestObservation implements ObservationType {
                     continue;
                 }
                 Point2d baseFromNearest =
-                        baseFromMap.transform(episode.truth(nearest).position());
+                        baseFromMap.transform(world.truth(nearest).position());
                 to[first] = (float) baseFromNearest.x();
                 to[first + 1] = (float) baseFromNearest.y();
                 to[first + 2] = 1;

@@ -44,32 +44,23 @@ public final class PoseObservation implements ObservationType {
         }
 
         @Override
-        public float low() {
-            return -max;
+        public float[] low() {
+            return new float[] {-max, -max, -1, -1};
         }
 
         @Override
-        public float high() {
-            return max;
+        public float[] high() {
+            return new float[] {max, max, 1, 1};
         }
 
         @Override
-        public Reader of(Robot robot, Episode episode) {
+        public Reader of(Robot robot, Truth world) {
             if (isTrue) {
-                int number = episode.number(robot.id());
-                return (to, at) -> write(episode.truth(number), to, at);
+                int number = world.number(robot.id());
+                return (to, at) -> write(world.truth(number), to, at);
             }
-            Localizer localizer = robot.find(Localizer.class)
-                    .orElseThrow(() -> new IllegalArgumentException(
-                            "Robot '%s' has no localizer for the observation 'pose'. Maybe from: truth?"
-                                    .formatted(robot.id())));
-            return (to, at) -> write(
-                    localizer
-                            .latest()
-                            .map(newest -> newest.value().mapFromBase())
-                            .orElse(Pose2d.ORIGIN),
-                    to,
-                    at);
+            Localizer localizer = OwnPose.localizer(robot, "pose");
+            return (to, at) -> write(OwnPose.believed(localizer), to, at);
         }
 
         private void write(Pose2d mapFromBase, float[] to, int at) {

@@ -32,17 +32,17 @@ public final class VelocityObservation implements ObservationType {
         }
 
         @Override
-        public float low() {
-            return -MAX;
+        public float[] low() {
+            return new float[] {-MAX, -MAX, -MAX};
         }
 
         @Override
-        public float high() {
-            return MAX;
+        public float[] high() {
+            return new float[] {MAX, MAX, MAX};
         }
 
         @Override
-        public Reader of(Robot robot, Episode episode) {
+        public Reader of(Robot robot, Truth world) {
             DriveBase base = robot.require(DriveBase.class);
             return (to, at) -> {
                 Twist2d velocity =

@@ -10,6 +10,7 @@ import java.util.concurrent.Future;
 import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
 import rsal.data.OccupancyGrid;
+import rsal.engine.SteppedWatch;
 import rsal.engine.report.RunResult;
 
 /// Many worlds of one environment. Each is a run of its own, so that what happens in one does not depend on the others,
@@ -18,6 +19,7 @@ public final class Worlds implements AutoCloseable {
     private static final int MOST = 10_000;
 
     private final Blueprint blueprint;
+    private final SteppedWatch watch;
     private final @Nullable Episode[] episodes;
     private final ExecutorService threads;
     private final boolean isParallel;
@@ -36,16 +38,22 @@ public final class Worlds implements AutoCloseable {
     /// @throws rsal.settings.InvalidSettings when the scenario has errors
     /// @throws IllegalArgumentException when a robot lacks what an observation or an action needs
     public Worlds(Blueprint blueprint, long[] seeds, int threads) {
+        this(blueprint, seeds, threads, new SteppedWatch());
+    }
+
+    /// The same, for somebody who looks whether agents return.
+    public Worlds(Blueprint blueprint, long[] seeds, int threads, SteppedWatch watch) {
         if (seeds.length < 1 || seeds.length > MOST) {
             throw new IllegalArgumentException("There can be 1 to %d worlds, not '%d'.".formatted(MOST, seeds.length));
         }
         this.blueprint = blueprint;
+        this.watch = watch;
         this.isParallel = threads > 1 && seeds.length > 1;
         this.threads = Executors.newFixedThreadPool(
                 Math.max(1, threads),
                 Thread.ofPlatform().daemon().name("world-", 1).factory());
         this.episodes = new @Nullable Episode[seeds.length];
-        Episode first = Episode.begin(blueprint, seeds[0]);
+        Episode first = Episode.begin(blueprint, seeds[0], watch);
         episodes[0] = first;
         Blueprint.Layout layout = first.layout();
         this.learners = layout.learners().size();
@@ -93,7 +101,7 @@ public final class Worlds implements AutoCloseable {
             episodes[world] = null;
             before.close();
         }
-        Episode next = Episode.begin(blueprint, seed);
+        Episode next = Episode.begin(blueprint, seed, watch);
         Blueprint.Layout layout = next.layout();
         if (layout.learners().size() != learners || layout.robots().size() != robots) {
             next.close();
@@ -115,11 +123,15 @@ public final class Worlds implements AutoCloseable {
     /// Makes a step in each world that is not over.
     ///
     /// @param actions of all learners of all worlds
+    /// @throws IllegalArgumentException when one is not finite, or is none of the choices; then no world has acted
     public void step(float[] actions) {
         int each = learners * acted;
         if (actions.length != each * count()) {
             throw new IllegalArgumentException(
                     "A step of %d worlds has %d numbers, not '%d'.".formatted(count(), each * count(), actions.length));
+        }
+        for (int world = 0; world < count(); world++) {
+            episode(world).check(actions, world * each);
         }
         each(world -> {
             episode(world).step(actions, world * each);
@@ -201,6 +213,11 @@ public final class Worlds implements AutoCloseable {
     /// The metrics of the scenario in a world, as they are now.
     public Map<String, Double> metrics(int world) {
         return episode(world).metrics();
+    }
+
+    /// Names of all metrics of the scenario, also of those without a value.
+    public List<String> metricNames() {
+        return episode(0).metricNames();
     }
 
     /// Ends the episode of a world.

@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.function.Function;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,7 +28,7 @@ class WorldsTest {
               wander: {type: wander, robot: other}
               replaced: {type: wander, robot: learner}
             run: {stop: [{when: time >= 3, outcome: success}]}
-            metrics: [{name: way, from: distance(other)}]
+            metrics: [{name: way, from: distance(other)}, {name: late, from: firstTime(time >= 2)}]
             """;
 
     @TempDir
@@ -169,6 +170,90 @@ class WorldsTest {
     }
 
     @Test
+    void aWrongActionIsRefusedOnSeveralThreadsBeforeAnyWorldMoves() {
+        try (var worlds = new Worlds(blueprint(), new long[] {5, 6, 7, 8}, 2)) {
+            var actions = new float[4 * 2 * 2];
+            Arrays.fill(actions, 0.4f);
+            actions[13] = Float.NaN;
+            float[] before = worlds.truth().clone();
+            assertThatThrownBy(() -> worlds.step(actions))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("'turn [rad/s]' of robot 'learner-1' must be finite");
+            assertThat(worlds.truth()).isEqualTo(before);
+            actions[13] = 0;
+            worlds.step(actions);
+            assertThat(worlds.truth()).isNotEqualTo(before);
+        }
+    }
+
+    @Test
+    void eachNumberHasLimitsOfItsOwn() {
+        Blueprint all = blueprint(
+                Map.of("type", "velocity"),
+                List.of(
+                        Map.of("type", "pose", "from", "truth", "max", 50),
+                        Map.of("type", "nearest", "count", 2, "max", 20),
+                        Map.of("type", "idleness", "places", "1 2; 3 4", "max", 30)));
+        float[] low = {-50, -50, -1, -1, -20, -20, 0, -20, -20, 0, -30, -30, 0, -30, -30, 0};
+        float[] high = {50, 50, 1, 1, 20, 20, 1, 20, 20, 1, 30, 30, 30, 30, 30, 30};
+        assertThat(together(all, LearnerObservation::low)).isEqualTo(low);
+        assertThat(together(all, LearnerObservation::high)).isEqualTo(high);
+        assertThat(all.observed()).isEqualTo(low.length);
+    }
+
+    private static float[] together(Blueprint blueprint, Function<LearnerObservation, float[]> limits) {
+        var all = new float[blueprint.observed()];
+        int next = 0;
+        for (LearnerObservation each : blueprint.observations()) {
+            float[] own = limits.apply(each);
+            System.arraycopy(own, 0, all, next, own.length);
+            next += own.length;
+        }
+        return all;
+    }
+
+    /// Eight sonars and 36 sectors: each sector has the range of a sonar.
+    @Test
+    void sectorsWithoutABeamHaveTheRangeOfTheNearestOne() throws IOException {
+        Path file = Files.writeString(folder.resolve("sonars.yaml"), """
+                rsal: 1
+                scenario: sonars
+                world: {map: office}
+                robots:
+                  learner: {model: pioneer2dx, pose: {free: true}, devices: {sonar: front8}}
+                """);
+        var observed = List.<Map<String, Object>>of(
+                Map.of("type", "ranges", "max", 100), Map.of("type", "ranges", "sectors", 8, "max", 100));
+        Blueprint sonars = new Environments()
+                .read(file.toString(), RunOptions.NONE, "learner", observed, Map.of("type", "velocity"), 5);
+        try (var worlds = new Worlds(sonars, new long[] {3}, 1)) {
+            for (int step = 0; step < 5; step++) {
+                worlds.step(new float[] {0, 1});
+            }
+            float[] each = Arrays.copyOfRange(worlds.observations(), 36, 44);
+            float least = Float.MAX_VALUE;
+            for (float range : each) {
+                least = Math.min(least, range);
+            }
+            assertThat(least).as("a wall is near").isLessThan(5);
+            for (int sector = 0; sector < 36; sector++) {
+                int nearest = (int) ((sector + 0.5) / 36 * 8);
+                assertThat(worlds.observations()[sector])
+                        .as("sector %d", sector)
+                        .isEqualTo(each[nearest]);
+            }
+        }
+    }
+
+    @Test
+    void allMetricsHaveTheirNamesBeforeTheyHaveValues() {
+        try (var worlds = new Worlds(blueprint(), new long[] {5}, 1)) {
+            assertThat(worlds.metricNames()).containsExactly("way", "late");
+            assertThat(worlds.metrics(0)).doesNotContainKey("late");
+        }
+    }
+
+    @Test
     void choicesDriveAndErrorsSayWhatIsWrong() {
         List<Map<String, Object>> velocity = List.of(Map.of("type", "velocity"));
         Blueprint discrete = blueprint(Map.of("type", "discrete", "speed", 0.3), velocity);
@@ -180,7 +265,12 @@ class WorldsTest {
             assertThat(worlds.observations()[0]).isEqualTo(0.3f, Offset.offset(0.05f));
             assertThat(worlds.observations()[3]).isEqualTo(0);
             assertThatThrownBy(() -> worlds.step(new float[] {Float.NaN, 0}))
-                    .hasMessageContaining("'choice' of learner 'learner-1'");
+                    .hasMessageContaining("'choice' of robot 'learner-1'");
+            for (float none : new float[] {5, -1, 1.5f}) {
+                assertThatThrownBy(() -> worlds.step(new float[] {0, none}))
+                        .hasMessageContaining("'choice' of robot 'learner-2' must be a whole number from 0 to 4")
+                        .hasMessageContaining("'%s'".formatted(none));
+            }
             assertThatThrownBy(() -> worlds.step(new float[1])).hasMessageContaining("2 numbers, not '1'");
         }
         assertThatThrownBy(() -> blueprint(Map.of("type", "velocty"), velocity))

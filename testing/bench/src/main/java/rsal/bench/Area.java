@@ -17,6 +17,7 @@ import rsal.bench.navigation.OfficeBench;
 import rsal.bench.navigation.PlanningBench;
 import rsal.bench.navigation.TightBench;
 import rsal.bench.page.PageBench;
+import rsal.bench.python.PythonBench;
 import rsal.bench.robots.RemoteBench;
 import rsal.bench.robots.RunBench;
 import rsal.bench.robots.SwarmBench;
@@ -86,6 +87,7 @@ public record Area(String name, List<Bench> benches) {
                                 new DiscoveryBench(),
                                 new TripBench(),
                                 new JoinBench())),
+                new Area("python", List.of(new PythonBench())),
                 new Area("page", List.of(new PageBench())),
                 new Area(
                         "navigation",

@@ -30,7 +30,14 @@ class AreaTest {
     void tellsWhatIsLeftOutForWantOfData(@TempDir Path temp) throws IOException {
         var notes = new ArrayList<String>();
         var assignment = new BenchmarkRequest(
-                Set.of("a"), OptionalInt.of(1), Optional.of(temp), _ -> {}, _ -> {}, notes::add, _ -> {});
+                Set.of("a"),
+                OptionalInt.of(1),
+                BenchmarkRequest.EPISODES,
+                Optional.of(temp),
+                _ -> {},
+                _ -> {},
+                notes::add,
+                _ -> {});
         assertThat(assignment.data("logs/some.log")).isEmpty();
         assertThat(notes).singleElement().asString().contains("logs/some.log", "--data");
         Files.createDirectory(temp.resolve("logs"));
@@ -70,6 +77,7 @@ class AreaTest {
                 .measure(new BenchmarkRequest(
                         Set.of("a.b", "a.c"),
                         OptionalInt.empty(),
+                        BenchmarkRequest.EPISODES,
                         Optional.empty(),
                         results::add,
                         _ -> {},
@@ -86,7 +94,14 @@ class AreaTest {
         var results = new ArrayList<Object>();
         for (Area area : Area.all()) {
             area.measure(new BenchmarkRequest(
-                    Set.of(), OptionalInt.of(1), Optional.empty(), results::add, results::add, results::add, _ -> {}));
+                    Set.of(),
+                    OptionalInt.of(1),
+                    BenchmarkRequest.EPISODES,
+                    Optional.empty(),
+                    results::add,
+                    results::add,
+                    results::add,
+                    _ -> {}));
         }
         assertThat(results).isEmpty();
     }

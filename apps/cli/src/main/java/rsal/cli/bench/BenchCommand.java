@@ -55,6 +55,13 @@ public final class BenchCommand extends Subcommand {
     private Optional<Integer> repeats = Optional.empty();
 
     @Option(
+            names = "--episodes",
+            paramLabel = "N",
+            description = "Number of episodes after which area python compares the memory in use: "
+                    + BenchmarkRequest.EPISODES + " by default.")
+    private int episodes = BenchmarkRequest.EPISODES;
+
+    @Option(
             names = "--data",
             paramLabel = "DIR",
             description = {
@@ -82,6 +89,7 @@ public final class BenchCommand extends Subcommand {
     protected int run() {
         OptionalInt often = repeats.stream().mapToInt(Integer::intValue).findFirst();
         often.ifPresent(times -> check(times >= 1, "--repeat must be at least 1, not '%d'.".formatted(times)));
+        check(episodes >= 2, "--episodes must be at least 2, not '%d'.".formatted(episodes));
         if (area.isEmpty()) {
             Area.all().forEach(a -> out().println(a.name()));
             out().flush();
@@ -104,6 +112,7 @@ public final class BenchCommand extends Subcommand {
         List<String> failures = chosen.measure(new BenchmarkRequest(
                 Set.copyOf(wanted),
                 often,
+                episodes,
                 publicData,
                 result -> {
                     results.add(result);

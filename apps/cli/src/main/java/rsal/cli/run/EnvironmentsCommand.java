@@ -6,10 +6,13 @@ import java.io.FileInputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.time.Duration;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
 import rsal.cli.terminal.Exit;
 import rsal.cli.terminal.Subcommand;
+import rsal.engine.SteppedWatch;
 import rsal.engine.report.RunBroken;
 import rsal.environment.EnvironmentSession;
 import rsal.frame.FramePipe;
@@ -17,27 +20,61 @@ import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
 
 /// `rsal environments`: simulates worlds for a program that has started this process, such as the Python package. It
-/// asks by frames on stdin, and gets answers on stdout. The process ends when stdin does.
+/// asks by frames on stdin, and gets answers on stdout. The process ends when stdin does, by the request `close`, and
+/// when
+/// an agent never returns: no thread can be taken from it.
 @Command(
         name = "environments",
         hidden = true, // not for people
         description = "Simulate worlds for the Python package, by frames on stdin and stdout.")
 public final class EnvironmentsCommand extends Subcommand {
+    private static final Duration LOOK = Duration.ofSeconds(1);
+
+    @Option(
+            names = "--patience",
+            paramLabel = "SECONDS",
+            defaultValue = "20",
+            description = "In how many seconds an agent has to return.")
+    private int patience;
+
     @Override
     protected int run() throws IOException {
         var frames = new FramePipe(new FileInputStream(FileDescriptor.in), new FileOutputStream(FileDescriptor.out));
         System.setOut(System.err); // what anything else prints must not be among the frames
-        try (var session = new EnvironmentSession()) {
+        var watch = new SteppedWatch(patience);
+        Thread.ofPlatform().daemon().name("agent-watch").start(() -> look(watch));
+        try (var session = new EnvironmentSession(watch)) {
             while (true) {
-                answer(session, frames);
+                FramePipe.Frame request = frames.readFrame();
+                if ("close".equals(request.words().get("request"))) {
+                    return Exit.SUCCESS;
+                }
+                answer(session, request, frames);
             }
         } catch (EOFException _) {
             return Exit.SUCCESS;
         }
     }
 
-    private static void answer(EnvironmentSession session, FramePipe frames) throws IOException {
-        FramePipe.Frame request = frames.readFrame();
+    /// Ends the process, and those of its agents, when an agent does not return.
+    private static void look(SteppedWatch watch) {
+        while (true) {
+            try {
+                Thread.sleep(LOOK);
+            } catch (InterruptedException _) {
+                return;
+            }
+            watch.look().ifPresent(why -> {
+                System.err.println(why);
+                System.err.flush();
+                ProcessHandle.current().descendants().forEach(ProcessHandle::destroyForcibly);
+                Runtime.getRuntime().halt(Exit.INTERNAL);
+            });
+        }
+    }
+
+    private static void answer(EnvironmentSession session, FramePipe.Frame request, FramePipe frames)
+            throws IOException {
         EnvironmentSession.Answer answer;
         try {
             answer = session.answer(request.words(), numbers(request.arrays()));
@@ -46,6 +83,9 @@ public final class EnvironmentsCommand extends Subcommand {
             return;
         } catch (IllegalArgumentException | IndexOutOfBoundsException | RunBroken e) {
             refuse(frames, String.valueOf(e.getMessage()));
+            return;
+        } catch (RuntimeException e) { // a bug of ours: the worlds that are not concerned can go on
+            refuse(frames, "An error inside RSAL: %s".formatted(e));
             return;
         }
         frames.write(to -> {

@@ -1,5 +1,7 @@
 package rsal.sim.world;
 
+import java.util.concurrent.atomic.AtomicLong;
+import org.jspecify.annotations.Nullable;
 import rsal.data.DistanceTransform;
 import rsal.data.OccupancyGrid;
 import rsal.scene.SolidRaster;
@@ -19,6 +21,8 @@ public final class RasterWalls {
     private static final int STRIP_BITS = 3;
     private static final int STRIP = 1 << STRIP_BITS; // columns
     private static final double GUARD = 1e-6; // [cells]
+    private static final int MOST_CELLS = 1 << 20; // with boxes, which have 8 bytes each
+    private static final long WORTH_BOXES = 2; // rays per cell, after which boxes have cost less than they save
 
     final double cellX; // [m]
     final double cellY;
@@ -36,6 +40,8 @@ public final class RasterWalls {
     private final Surface surface;
     final double[] strides; // by room, what a ray may skip [m]; nothing near walls
     private final int strip; // cells of one
+    private final AtomicLong cast = new AtomicLong(); // rays, until there are boxes
+    private volatile @Nullable EmptyBoxes boxes;
     private final byte[] room; // by cell: SOLID, NEAR, or NEAR + units from any point of it to anything solid, unsigned
 
     /// The walls of a map.
@@ -170,14 +176,37 @@ public final class RasterWalls {
         return room[at(column, row)] & 0xFF;
     }
 
-    private int at(int column, int row) {
+    /// Where a cell is in arrays of all.
+    int at(int column, int row) {
         return (column >> STRIP_BITS) * strip + (row << STRIP_BITS) + (column & (STRIP - 1));
     }
 
+    /// Whether so many rays were cast that they go by boxes now.
+    boolean hasBoxes() {
+        return boxes != null;
+    }
+
+    /// Length of arrays by cells.
+    int cells() {
+        return room.length;
+    }
+
     /// Ends rays at the border of the first solid cell, if that is within reach and they have met nothing before;
-    /// at once inside a wall.
+    /// at once inside a wall. Of as many threads as like; how they go makes no difference.
     void end(Rays rays, double reach) {
+        EmptyBoxes known = boxes;
+        if (known != null) {
+            known.end(rays, reach);
+            return;
+        }
         rays.march.end(this, rays, reach);
+        if (room.length <= MOST_CELLS) {
+            long before = cast.getAndAdd(rays.count);
+            long worth = WORTH_BOXES * room.length;
+            if (before < worth && before + rays.count >= worth) { // only one thread makes them
+                boxes = new EmptyBoxes(this);
+            }
+        }
     }
 
     /// Whether a place is in the grid and not on its fence [cells].

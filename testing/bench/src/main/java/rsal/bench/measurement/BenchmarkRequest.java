@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 ///
 /// @param wanted names of what to measure
 /// @param often how often each is to be measured; empty for as often as is usual
+/// @param episodes how many episodes are made of which memory is measured
 /// @param data where public data is: folders `logs`, `maps` and `barn`
 /// @param results told of each as soon as it is known
 /// @param plots told of each picture of them
@@ -21,6 +22,7 @@ import java.util.function.Consumer;
 public record BenchmarkRequest(
         Set<String> wanted,
         OptionalInt often,
+        int episodes,
         Optional<Path> data,
         Consumer<Result> results,
         Consumer<Plot> plots,
@@ -31,6 +33,9 @@ public record BenchmarkRequest(
 
     /// How often is usual where ways of doing something are compared in runs with equal seeds.
     public static final int SEEDS = 30;
+
+    /// How many episodes are usual.
+    public static final int EPISODES = 2000;
 
     public BenchmarkRequest {
         wanted = Set.copyOf(wanted);

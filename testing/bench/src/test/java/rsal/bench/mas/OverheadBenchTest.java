@@ -24,6 +24,7 @@ class OverheadBenchTest {
                 .measure(new BenchmarkRequest(
                         Set.of("mas.plain.bare.create.100"),
                         OptionalInt.of(2),
+                        BenchmarkRequest.EPISODES,
                         Optional.empty(),
                         results::add,
                         _ -> {},

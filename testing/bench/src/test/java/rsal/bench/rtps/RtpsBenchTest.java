@@ -34,6 +34,7 @@ class RtpsBenchTest {
         bench.measure(new BenchmarkRequest(
                 Set.copyOf(bench.names()),
                 OptionalInt.of(1),
+                BenchmarkRequest.EPISODES,
                 Optional.empty(),
                 results::add,
                 _ -> {},

@@ -25,6 +25,7 @@ class SeededRunsIT {
         return new BenchmarkRequest(
                 Set.copyOf(wanted),
                 OptionalInt.of(seeds),
+                BenchmarkRequest.EPISODES,
                 Optional.empty(),
                 results::add,
                 _ -> {},
