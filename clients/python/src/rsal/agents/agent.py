@@ -295,7 +295,7 @@ class Agent:
 
     def _run(self, method: Callable[..., object], *arguments: Any) -> None:
         result = method(*arguments)
-        if inspect.iscoroutine(result):
+        if result is not None and inspect.iscoroutine(result):
             self.spawn(result)
 
     # Others

@@ -156,7 +156,8 @@ class DriveBase(Sensor[v.Odometry]):
 
         Without a new command the base stops by itself after 0.5 s.
         """
-        self._do("command", v.Twist2d(float(forward), float(left), float(turn)))
+        velocity = {"vx": float(forward), "vy": float(left), "omega": float(turn)}  # Twist2d, without making one
+        self._agent._link.do("call", 0, self._index, "command", [velocity])
 
     def stop(self) -> None:
         """Command a velocity of 0."""

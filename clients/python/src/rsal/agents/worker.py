@@ -137,12 +137,13 @@ class Watcher(threading.Thread):
                 notice("debug")
             worker = self._worker
             now = worker.turns
-            if worker.turn is not None and now == before:
+            turn = worker.turn
+            if turn is not None and now == before:
                 frame = sys._current_frames().get(self._main or 0)
                 while frame is not None and frame.f_code.co_filename not in worker.files.paths:
                     frame = frame.f_back
                 if frame is not None:
-                    notice(f"at {frame.f_code.co_filename}:{frame.f_lineno} in {frame.f_code.co_name}")
+                    notice(f"at {turn.number} {frame.f_code.co_filename}:{frame.f_lineno} in {frame.f_code.co_name}")
             before = now
 
 
@@ -165,6 +166,7 @@ class Worker:
     def __init__(self, frames: Frames) -> None:
         self._frames = frames
         self._agents: dict[int, contract.Agent] = {}
+        self._over: list[dict[str, Any]] = []  # turns that are over and that RSAL does not know yet
         self._output = Output(self)
         self.files = Files()
         self.turn: Link | None = None
@@ -177,15 +179,20 @@ class Worker:
         """Until RSAL ends the conversation."""
         import numpy as np  # noqa: PLC0415 - only its version is needed
 
-        self._frames.write(
+        frames = self._frames
+        frames.write(
             {"protocol": VERSION, "python": platform.python_version(), "numpy": np.__version__, "order": sys.byteorder}
         )
-        while (event := self._frames.read()) is not None:
+        over = self._over
+        while (event := frames.read()) is not None:
             words, arrays = event
-            if "end" in words:
-                self._end(words["agent"])
-            else:
-                self._frames.write(self._take(words, arrays))
+            for number in words["ended"]:
+                self._end(number)
+            now = words["time"]
+            for turn in words["turns"]:
+                over.append(self._take(turn, now, arrays))
+            frames.write({"turns": over})
+            over.clear()
 
     def _end(self, number: int) -> None:
         agent = self._agents.pop(number, None)
@@ -198,23 +205,24 @@ class Worker:
                 except BaseException:  # it has ended; nobody waits for what it says
                     traceback.print_exc()
 
-    def _take(self, words: dict[str, Any], arrays: memoryview) -> dict[str, Any]:
+    def _take(self, words: dict[str, Any], now: float, arrays: memoryview) -> dict[str, Any]:
         number = words["agent"]
         agent = self._agents.get(number)
-        link = Link(self._frames, number) if agent is None else agent._link
-        link.time = words["time"]
+        link = Link(self._frames, number, self._over) if agent is None else agent._link
+        link.time = now
         self.turns += 1
         self.turn = link
-        answer: dict[str, Any] = {}
+        answer: dict[str, Any] = {"agent": number}
         try:
             if agent is None:
-                self._start(words, link)
+                self._start(number, words["start"], link)
             elif "stop" in words:
                 agent._run(agent.on_stop)
             else:
-                heard = link.heard.get(words["id"])
-                if heard is not None:
-                    heard(words["value"], arrays)
+                for event in words["events"]:
+                    heard = link.heard.get(event["id"])
+                    if heard is not None:
+                        heard(event["value"], arrays)
         except (Exception, SystemExit) as mistake:
             answer["failed"] = self._failure(mistake)
         self._output.over()
@@ -222,7 +230,7 @@ class Worker:
         answer["do"], link.asked = link.asked, []
         return answer
 
-    def _start(self, words: dict[str, Any], link: Link) -> None:
+    def _start(self, number: int, words: dict[str, Any], link: Link) -> None:
         self.files.add(words["files"])
         module = importlib.import_module(self.files.module(words["path"]))
         kind = getattr(module, words["class"])
@@ -241,7 +249,7 @@ class Worker:
         for name, value in words["arguments"].items():
             if isinstance(getattr(kind, name, None), Parameter):
                 setattr(agent, name, value)
-        self._agents[words["agent"]] = agent
+        self._agents[number] = agent
         agent.__init__()  # type: ignore[misc] # after all that it may use is there
         agent._run(agent.on_start)
 

@@ -29,7 +29,7 @@ import rsal.robot.Robot;
 /// A request is a list: a verb, the place in Python that asks, and arguments. What comes later comes under a number
 /// that
 /// Python has chosen.
-final class PythonRequests implements PythonWorker.Peer {
+final class PythonRequests implements PythonTurns.Peer {
     private static final int ARGUMENTS = 2; // after verb and place
 
     private static final Map<String, Topic<?>> INSTALLED =
