@@ -35,6 +35,15 @@ public interface AgentLanguage {
         return Optional.empty();
     }
 
+    /// Many runs are to come, of which some may have agents in it: what each needs may be begun ahead, until that is
+    /// closed. Nothing by default.
+    ///
+    /// @param atOnce how many runs go on side by side
+    /// @param inAll how many there will be
+    default RunPreparation prepare(int atOnce, int inAll) {
+        return () -> {};
+    }
+
     /// Reads an agent's file.
     ///
     /// @param path of it among the files

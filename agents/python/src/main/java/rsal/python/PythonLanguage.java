@@ -3,6 +3,7 @@ package rsal.python;
 import java.util.Optional;
 import rsal.agent.AgentLanguage;
 import rsal.agent.AgentType;
+import rsal.agent.RunPreparation;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 
@@ -27,6 +28,11 @@ public final class PythonLanguage implements AgentLanguage {
     @Override
     public Optional<String> unavailable() {
         return Interpreter.missing();
+    }
+
+    @Override
+    public RunPreparation prepare(int atOnce, int inAll) {
+        return ProcessesAhead.prepare(atOnce, inAll);
     }
 
     @Override

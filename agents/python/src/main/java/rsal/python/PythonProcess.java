@@ -52,10 +52,11 @@ final class PythonProcess {
 
     /// Waits until it is ready.
     ///
+    /// @return whether it was not known to be ready
     /// @throws PythonFailure when it can't have agents
-    void greet() {
+    boolean greet() {
         if (greeted) {
-            return;
+            return false;
         }
         Map<?, ?> hello = read();
         if (hello.get("error") instanceof String why) {
@@ -65,6 +66,7 @@ final class PythonProcess {
             throw new PythonFailure("Python's side does not fit to this version of RSAL: %s.".formatted(hello));
         }
         greeted = true;
+        return true;
     }
 
     boolean isAlive() {

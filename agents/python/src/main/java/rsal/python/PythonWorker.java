@@ -25,8 +25,7 @@ final class PythonWorker {
 
     private PythonWorker(Object run) {
         this.run = run;
-        this.process = new PythonProcess();
-        process.greet();
+        this.process = ProcessesAhead.take();
         this.turns = new PythonTurns(process);
         this.postman = run instanceof LockstepScheduler ? Optional.empty() : Optional.of(new Postman(this));
     }
@@ -34,11 +33,21 @@ final class PythonWorker {
     /// The one of a run, for one more agent.
     ///
     /// @param run what tells runs apart
+    /// @throws PythonFailure when there is no Python that could have it
     static PythonWorker enter(Object run) {
+        PythonWorker worker;
         synchronized (BY_RUN) {
-            PythonWorker worker = BY_RUN.computeIfAbsent(run, PythonWorker::new);
+            worker = BY_RUN.computeIfAbsent(run, PythonWorker::new);
             worker.agents++;
+        }
+        try {
+            if (worker.process.greet()) { // not on the lock: other runs start theirs meanwhile
+                ProcessesAhead.startNext();
+            }
             return worker;
+        } catch (RuntimeException e) {
+            worker.leave();
+            throw e;
         }
     }
 
