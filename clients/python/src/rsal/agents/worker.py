@@ -42,25 +42,35 @@ class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
 
     def __init__(self) -> None:
         self._texts: dict[str, tuple[str, str]] = {}  # path and text, by name of the module
+        self._packages: set[str] = set()  # names of those in folders
         self.paths: set[str] = set()
 
-    def add(self, texts: dict[str, str]) -> None:
+    def add(self, folder: str, texts: dict[str, str]) -> None:
         """Add files as modules.
 
+        :param folder: in which they are; ``parts/scan.py`` in it is module ``parts.scan``
         :raises ImportError: when there is another module of that name
         """
         for path, text in texts.items():
-            name = self.module(path)
+            name = self.module(path.removeprefix(folder))
             known = self._texts.setdefault(name, (path, text))
             if known != (path, text):
                 raise ImportError(f"Files '{known[0]}' and '{path}' are both module '{name}'. Rename one of them.")
             self.paths.add(path)
             linecache.cache[path] = (len(text), None, text.splitlines(True), path)
 
+            for end in range(len(name)):
+                if name[end] == ".":
+                    self._packages.add(name[:end])
+
     @staticmethod
     def module(path: str) -> str:
         """Return the name of the module in a file."""
-        return path.rsplit("/", 1)[-1].removesuffix(".py")
+        return path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+
+    def is_package(self, fullname: str) -> bool:
+        """Return whether other modules are in it."""
+        return self._texts[fullname][0].endswith("/__init__.py")
 
     def find_spec(
         self,
@@ -70,6 +80,8 @@ class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
     ) -> importlib.machinery.ModuleSpec | None:
         """Find a module among the files of the scenario."""
         if fullname not in self._texts:
+            if fullname in self._packages:  # a folder without __init__.py
+                return importlib.machinery.ModuleSpec(fullname, None, is_package=True)
             return None
         return importlib.util.spec_from_loader(fullname, self, origin=self._texts[fullname][0])
 
@@ -231,8 +243,10 @@ class Worker:
         return answer
 
     def _start(self, number: int, words: dict[str, Any], link: Link) -> None:
-        self.files.add(words["files"])
-        module = importlib.import_module(self.files.module(words["path"]))
+        self.files.add(words["folder"], words["files"])
+        module = importlib.import_module(words["module"])
+        if not words["files"] and module.__file__:  # one that is installed
+            self.files.paths.add(module.__file__)
         kind = getattr(module, words["class"])
         if not isinstance(kind, type) or not issubclass(kind, contract.Agent):
             raise TypeError(f"'{words['class']}' does not inherit from 'rsal.Agent'.")

@@ -18,6 +18,16 @@ public interface AgentLanguage {
         return type.endsWith(suffix());
     }
 
+    /// The pattern of what a scenario names as a type in this language, for the schema of scenarios.
+    default String pattern() {
+        return suffix().replace(".", "\\.") + "$";
+    }
+
+    /// The file that such a type is in; empty when it is in none of the scenario's.
+    default Optional<String> file(String type) {
+        return Optional.of(type);
+    }
+
     /// Names that mean something else in it, as `self`: no agent of a scenario that uses it can have them.
     default Set<String> takenNames() {
         return Set.of();

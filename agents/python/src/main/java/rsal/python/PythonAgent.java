@@ -81,7 +81,8 @@ final class PythonAgent implements Agent {
         AgentContext self = own.self;
         var words = new LinkedHashMap<String, Object>();
         words.put("files", type.sources().texts());
-        words.put("path", type.sources().path());
+        words.put("folder", type.sources().folder());
+        words.put("module", type.sources().module());
         words.put("class", type.className());
         words.put("name", self.name());
         words.put("role", self.role());

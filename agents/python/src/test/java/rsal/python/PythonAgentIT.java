@@ -2,6 +2,8 @@ package rsal.python;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -27,6 +29,7 @@ import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.system.RobotSystemProvider;
+import rsal.testkit.OfficialPython;
 import rsal.testkit.contract.RobotBench;
 import rsal.testkit.fake.FakeLocalizer;
 import rsal.testkit.fake.FakeNavigator;
@@ -314,6 +317,58 @@ class PythonAgentIT extends RobotBench {
         assertThat(lines)
                 .containsExactly(
                         "java {'cost': 3} {'by': 'java'}", "al {'cost': 2} {'by': 'al', 'at': 1.0}", "java", "[]");
+    }
+
+    @Test
+    void itUsesModulesInFolders() {
+        AgentType type = Texts.type(
+                "own/amy.py",
+                Map.of(
+                        "own/amy.py",
+                        """
+                        import rsal
+                        from parts.scan import near
+                        import bare.deep as deep
+                        class A(rsal.Agent):
+                            def on_start(self):
+                                print(near(2), deep.__name__, __name__)
+                                near(None)
+                        """,
+                        "own/parts/__init__.py",
+                        "SIZE = 20\n",
+                        "own/parts/scan.py",
+                        "from . import SIZE\ndef near(x):\n    return x + SIZE\n",
+                        "own/bare/deep.py",
+                        ""));
+        platform.start(new AgentSpec("amy", "tested", type, Arguments.defaults(List.of()), Optional.empty(), 1));
+        advance(0.1);
+        assertThat(lines).containsExactly("22 bare.deep amy");
+        assertThat(view("amy").state()).startsWith("own/parts/scan.py:3 in near: TypeError");
+    }
+
+    @Test
+    void itIsInAnInstalledPackage() throws Exception {
+        Path site = Path.of(OfficialPython.run("import site; print(site.getsitepackages()[0])")
+                .strip());
+        Path module = Files.createDirectories(site.resolve("rsal_tested")).resolve("agents.py");
+        Files.writeString(
+                module,
+                """
+                import rsal
+                from . import agents as itself
+                class Guard(rsal.Agent):
+                    speed: float = rsal.Param(0.4)
+                    def on_start(self):
+                        print(self.speed, itself.__name__)
+                        self.after(1.0, lambda: {}["so"])
+                """);
+        AgentType type = Texts.type("python:rsal_tested.agents:Guard", Map.of());
+        assertThat(type.key()).isEqualTo("python:rsal_tested.agents:Guard");
+        platform.start(new AgentSpec(
+                "amy", "tested", type, Arguments.of(type.parameters(), Map.of("speed", 1)), Optional.empty(), 1));
+        advance(2);
+        assertThat(lines).containsExactly("1.0 rsal_tested.agents");
+        assertThat(view("amy").state()).isEqualTo(module.toRealPath() + ":7 in <lambda>: KeyError: 'so'");
     }
 
     @Test
