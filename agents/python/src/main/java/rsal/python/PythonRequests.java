@@ -44,6 +44,7 @@ final class PythonRequests implements PythonTurns.Peer {
     private final Map<Integer, GoalHandle<?, ?>> goals = new HashMap<>(); // that go on, by number
     private final PythonConversations conversations;
     private final PythonMind mind;
+    private final PythonPilots pilots;
 
     /// Told what Python listens to.
     interface Heard {
@@ -62,6 +63,7 @@ final class PythonRequests implements PythonTurns.Peer {
         this.seed = self.random().nextLong() >>> 1; // Python's are not negative
         this.conversations = new PythonConversations(self, heard);
         this.mind = new PythonMind(self);
+        this.pilots = new PythonPilots(self, heard);
     }
 
     Optional<Robot> robot() {
@@ -151,6 +153,7 @@ final class PythonRequests implements PythonTurns.Peer {
             case "state" -> self.state(asked.text(0));
             case "show" -> self.show(asked.text(0), asked.text(1));
             case "metric" -> self.metric(asked.text(0), FromWords.number(asked.argument(1)));
+            case "engage", "velocity" -> pilots.perform(asked, robot.orElseThrow());
             case "believe", "forget", "pursue", "reached", "drop" -> mind.perform(asked);
             default -> conversations.perform(asked);
         }

@@ -24,6 +24,7 @@ import rsal.agent.platform.AgentPlatform;
 import rsal.agent.platform.PlainHost;
 import rsal.agent.protocol.ContractNet;
 import rsal.agent.protocol.Request;
+import rsal.behavior.PilotDriver;
 import rsal.data.Pose2d;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
@@ -57,7 +58,7 @@ class PythonAgentIT extends RobotBench {
 
     @Override
     protected List<DeviceDriver> drivers() {
-        return List.of(new FakeLocalizer.Driver(), new FakeNavigator.Driver(), new FakePlanner.Driver());
+        return List.of(new PilotDriver(), new FakeLocalizer.Driver(), new FakeNavigator.Driver(), new FakePlanner.Driver());
     }
 
     @BeforeEach
@@ -317,6 +318,33 @@ class PythonAgentIT extends RobotBench {
         assertThat(lines)
                 .containsExactly(
                         "java {'cost': 3} {'by': 'java'}", "al {'cost': 2} {'by': 'al', 'at': 1.0}", "java", "[]");
+    }
+
+    @Test
+    void behaviorsDriveItsRobot() {
+        startOnRobot("""
+                async def on_start(self):
+                    pilot = self.robot.pilot
+                    self.called = 0
+                    pilot.engage(self.creep, "creep")
+                    layers = []
+                    pilot.subscribe(lambda decision: layers.append(decision.value.in_charge))
+                    await self.sleep(3.0)
+                    print(self.called, self.robot.base.latest.value.velocity.vx, "creep" in layers, pilot.engaged)
+                    pilot.engage("wander")
+                    await self.sleep(3.0)
+                    print(self.called, self.robot.base.latest.value.velocity.vx > 0.3, "wander" in layers)
+                    pilot.release()
+                    await self.sleep(1.0)
+                    print(self.robot.base.latest.value.velocity.vx, pilot.engaged)
+                    pilot.engage("fly")
+                def creep(self, percept):
+                    self.called += 1
+                    return Twist2d(0.1 if percept.nearest(-0.3, 0.3) > 0.5 else 0.0, 0.0, 0.0)
+                """);
+        advance(8);
+        assertThat(lines).containsExactly("29 0.1 True True", "29 True True", "0.0 False");
+        assertThat(view("a").state()).startsWith("a.py:23 in on_start: There is no behavior 'fly'.");
     }
 
     @Test
