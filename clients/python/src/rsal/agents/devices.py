@@ -653,8 +653,8 @@ class Simulation(Device):
 CONTRACTS: dict[str, type[Device]] = {
     kind.contract: kind
     for kind in (
-        DriveBase, LaserScanner, SonarArray, Localizer, Navigator, Pilot, Planner, PlaceFinder, Docking, Gripper, Actuator,
-        Light, Mapper, BlobFinder, FiducialFinder, Bumper, Battery, Camera, Gnss, Imu,
+        DriveBase, LaserScanner, SonarArray, Localizer, Navigator, Pilot, Planner, PlaceFinder, Docking, Gripper,
+        Actuator, Light, Mapper, BlobFinder, FiducialFinder, Bumper, Battery, Camera, Gnss, Imu,
     )
 }  # fmt: skip
 

@@ -789,8 +789,10 @@ class RangeArray:
 
 @dataclass(frozen=True, slots=True)
 class Opinion:
-    """:param twist: what the robot should do as far as this layer and those under it go
-    :param state: see state
+    """What a layer wants.
+
+    :param twist: what the robot should do as far as this layer and those under it go
+    :param state: what the layer is about, for people; empty when there is nothing to tell
     """
 
     layer: str

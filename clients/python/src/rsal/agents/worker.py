@@ -253,6 +253,7 @@ class Worker:
         agent: contract.Agent = kind.__new__(kind)
         agent._link = link
         agent._tasks = []
+        agent._boards = {}
         agent._rng = None
         agent._seed = words["seed"]
         agent.random = random.Random(words["seed"])  # noqa: S311 - of a simulation, by its seed

@@ -19,12 +19,14 @@ import rsal.agent.AgentType;
 import rsal.agent.Message;
 import rsal.agent.Topic;
 import rsal.agent.bdi.Mind;
+import rsal.agent.board.TeamBoard;
 import rsal.agent.message.PoseReport;
 import rsal.agent.platform.AgentPlatform;
 import rsal.agent.platform.PlainHost;
 import rsal.agent.protocol.ContractNet;
 import rsal.agent.protocol.Request;
 import rsal.behavior.PilotDriver;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
@@ -318,6 +320,57 @@ class PythonAgentIT extends RobotBench {
         assertThat(lines)
                 .containsExactly(
                         "java {'cost': 3} {'by': 'java'}", "al {'cost': 2} {'by': 'al', 'at': 1.0}", "java", "[]");
+    }
+
+    @Test
+    void itSharesABoardWithItsTeam() {
+        start("master", """
+                def on_start(self):
+                    self.keep_board("finds")
+                """);
+        start("java", self -> {
+            var board = new TeamBoard(self, "finds", _ -> {});
+            self.scheduler()
+                    .after(
+                            Duration.ofSeconds(1),
+                            () -> board.write(
+                                    new Topic<>("bids", Map.class),
+                                    "b",
+                                    Map.of("price", 2),
+                                    new Point2d(9, 9),
+                                    Duration.ofSeconds(3)));
+        });
+        start("amy", """
+                async def on_start(self):
+                    board = self.team_board("finds")
+                    board.on_event(lambda event: print(event.kind, event.about))
+                    watch = board.watch(BIDS, self.on_change)
+                    board.write(BIDS, "a", {"price": 1}, lifetime=60, place=Pose2d(1, 2, 3))
+                    await self.sleep(2.0)
+                    found = await board.ask(BIDS, near=Point2d(1, 1), distance=3)
+                    print([note.content for note in found.notes], found.notes[0].place, found.left, found.why == "")
+                    print(board.keeper, len((await board.ask(BIDS, author="java")).notes), watch.current)
+                    await self.sleep(3.0)
+                    print([note.name for note in watch.notes])
+                    watch.cancel()
+                    board.erase(BIDS, "a")
+                    await self.sleep(1.0)
+                    print((await board.ask(BIDS)).notes)
+                    self.publish(BIDS, {"over": True})
+                    await self.sleep(1.0)
+                def on_change(self, watch):
+                    print([f"{note.name} of {note.author}" for note in watch.notes])
+                """);
+        advance(12);
+        assertThat(lines)
+                .containsSubsequence(
+                        "kept master",
+                        "['a of amy']",
+                        "['b of java', 'a of amy']",
+                        "[{'price': 1}] Point2d(x=1.0, y=2.0) 0 True",
+                        "master 1 True",
+                        "['a']",
+                        "[]");
     }
 
     @Test
