@@ -6,11 +6,13 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from rsal.agents.agent import Agent, Blackboard, Entry, Message, Mind, Note, Topic
+    from rsal.agents.agent import Agent, Blackboard, Entry, Message, Mind, Note
+    from rsal.agents.boards import BoardEvent, BoardNote, BoardWatch, Found, TeamBoard
     from rsal.agents.conversations import Award, Call, Question, Refusal, Result
-    from rsal.agents.devices import Device, Goal, Robot, Stamped, Subscription
+    from rsal.agents.devices import Device, Goal, Percept, Robot, Stamped, Subscription
     from rsal.agents.link import RsalError
     from rsal.agents.param import Param
+    from rsal.agents.topics import Topic
     from rsal.agents.values import Point2d, Pose2d, Twist2d
     from rsal.agents.waiting import Pending
 
@@ -21,7 +23,11 @@ _MODULES = {
     "Message": "agent",
     "Mind": "agent",
     "Note": "agent",
-    "Topic": "agent",
+    "BoardEvent": "boards",
+    "BoardNote": "boards",
+    "BoardWatch": "boards",
+    "Found": "boards",
+    "TeamBoard": "boards",
     "Award": "conversations",
     "Call": "conversations",
     "Question": "conversations",
@@ -29,11 +35,13 @@ _MODULES = {
     "Result": "conversations",
     "Device": "devices",
     "Goal": "devices",
+    "Percept": "devices",
     "Robot": "devices",
     "Stamped": "devices",
     "Subscription": "devices",
     "RsalError": "link",
     "Param": "param",
+    "Topic": "topics",
     "Point2d": "values",
     "Pose2d": "values",
     "Twist2d": "values",
@@ -44,15 +52,20 @@ __all__ = [
     "Agent",
     "Award",
     "Blackboard",
+    "BoardEvent",
+    "BoardNote",
+    "BoardWatch",
     "Call",
     "Device",
     "Entry",
+    "Found",
     "Goal",
     "Message",
     "Mind",
     "Note",
     "Param",
     "Pending",
+    "Percept",
     "Point2d",
     "Pose2d",
     "Question",
@@ -62,6 +75,7 @@ __all__ = [
     "RsalError",
     "Stamped",
     "Subscription",
+    "TeamBoard",
     "Topic",
     "Twist2d",
 ]

@@ -5,34 +5,22 @@ from __future__ import annotations
 import inspect
 import random
 from collections.abc import Callable, Coroutine, Sequence
-from dataclasses import dataclass, is_dataclass
+from dataclasses import dataclass
 from typing import Any, ClassVar, Generic, TypeVar, overload
 
 import numpy as np
 
 from rsal.agents import conversations as talk
 from rsal.agents import values as v
-from rsal.agents.convert import decoder, encode
+from rsal.agents.boards import TeamBoard
+from rsal.agents.convert import decoder
 from rsal.agents.devices import Device, Robot, Sensor, Simulation, Stamped, Subscription
 from rsal.agents.link import Link
+from rsal.agents.topics import Topic, topic_content, topic_of
 from rsal.agents.waiting import Pending, Task
 
 M = TypeVar("M")
 T = TypeVar("T")
-
-
-class Topic(Generic[M]):
-    """A channel of messages. Those that come with RSAL are named by the class of their messages (``PoseReport``).
-
-    :param name: of the channel; agents in Java hear one of your own as ``new Topic<>("bids", Map.class)``
-    :param kind: ``dict``, or a dataclass of your own
-    """
-
-    def __init__(self, name: str, kind: type[M]) -> None:
-        if kind is not dict and not is_dataclass(kind):
-            raise TypeError(f"Messages of topic '{name}' are a dict or a dataclass, not '{kind.__name__}'.")
-        self.name = name
-        self.kind = kind
 
 
 @dataclass(frozen=True)
@@ -79,25 +67,6 @@ class Note(Generic[M]):
     written: float
 
 
-def _topic(of: Any) -> tuple[str, Any]:
-    """Name and type of a topic's messages."""
-    if isinstance(of, Topic):
-        return of.name, of.kind
-    if isinstance(of, type) and hasattr(of, "topic"):
-        return of.topic, of
-    raise TypeError(f"'{of!r}' is no topic. Maybe a class of rsal.agents.messages, or rsal.Topic(name, dict)?")
-
-
-def _content(of: Any, message: Any) -> tuple[str, Any]:
-    if message is None:
-        name, _ = _topic(type(of))
-        return name, encode(of)
-    name, kind = _topic(of)
-    if not isinstance(message, kind):
-        raise TypeError(f"Topic '{name}' has messages of type '{kind.__name__}', not '{type(message).__name__}'.")
-    return name, encode(message)
-
-
 class Blackboard:
     """An agent's own notes, which fade when their time is up."""
 
@@ -109,16 +78,16 @@ class Blackboard:
 
         :param lifetime: after which it fades [s]; ``None`` for one that stays
         """
-        key, words = _content(topic, content)
+        key, words = topic_content(topic, content)
         self._link.do("write", key, name, words, lifetime)
 
     def erase(self, topic: type[M] | Topic[M], name: str) -> None:
         """Erase the note of that name; without one, nothing happens."""
-        self._link.do("erase", _topic(topic)[0], name)
+        self._link.do("erase", topic_of(topic)[0], name)
 
     def read(self, topic: type[M] | Topic[M]) -> list[Note[M]]:
         """All notes of a topic, the oldest first."""
-        key, kind = _topic(topic)
+        key, kind = topic_of(topic)
         words, arrays = self._link.ask("notes", key)
         decode = decoder(kind)
         return [Note(each["name"], decode(each["content"], arrays), each["written"]) for each in words]
@@ -174,6 +143,7 @@ class Agent:
     _seed: int
     _rng: np.random.Generator | None
     _tasks: list[Task]
+    _boards: dict[str, TeamBoard]
 
     def on_start(self) -> Any:
         """Begins: subscribe, set timers, set off. May be ``async``."""
@@ -215,6 +185,17 @@ class Agent:
         """The agent's own notes."""
         return Blackboard(self._link)
 
+    def team_board(self, name: str) -> TeamBoard:
+        """Return this agent's end of a board that its team shares. Some agent must keep it: :meth:`keep_board`."""
+        board = self._boards.get(name)
+        if board is None:
+            board = self._boards[name] = TeamBoard(self, name)
+        return board
+
+    def keep_board(self, name: str) -> None:
+        """Keep a board of the team as its master. Of two masters, the one that started first keeps it."""
+        self._link.do("keepBoard", name)
+
     @property
     def mind(self) -> Mind:
         """Beliefs and goals that people see on the page."""
@@ -228,7 +209,7 @@ class Agent:
     def publish(self, topic: object) -> None: ...
     def publish(self, topic: Any, message: Any = None) -> None:
         """Send a message to all who listen: ``publish(PoseReport(…))``, or ``publish(BIDS, {"price": 3})``."""
-        self._link.do("publish", *_content(topic, message))
+        self._link.do("publish", *topic_content(topic, message))
 
     @overload
     def send(self, to: str, topic: Topic[M], message: M) -> None: ...
@@ -236,7 +217,7 @@ class Agent:
     def send(self, to: str, topic: object) -> None: ...
     def send(self, to: str, topic: Any, message: Any = None) -> None:
         """Send a message to one agent, if it listens."""
-        self._link.do("send", to, *_content(topic, message))
+        self._link.do("send", to, *topic_content(topic, message))
 
     @overload
     def subscribe(self, source: Sensor[T], listener: Callable[[Stamped[T]], object]) -> Subscription: ...
@@ -251,7 +232,7 @@ class Agent:
         """
         if isinstance(source, Sensor):
             return source.subscribe(listener)
-        name, kind = _topic(source)
+        name, kind = topic_of(source)
         decode = decoder(kind)
 
         def heard(words: Any, arrays: memoryview) -> None:
@@ -295,7 +276,7 @@ class Agent:
 
     def _run(self, method: Callable[..., object], *arguments: Any) -> None:
         result = method(*arguments)
-        if inspect.iscoroutine(result):
+        if result is not None and inspect.iscoroutine(result):
             self.spawn(result)
 
     # Others

@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 import difflib
 import sys
+from importlib.abc import InspectLoader
+from importlib.machinery import ModuleSpec
 from typing import Any
 
 from rsal.protocol import Frames
@@ -227,9 +229,41 @@ def _check(found: dict[str, Any], call: ast.Call) -> None:
             raise _InvalidFileError(call, f"The default of '{name}' does not fit: '{default}'.")
 
 
+def installed(module: str) -> tuple[str, str]:
+    """Return the path and the text of an installed module, without running it or the packages that it is in.
+
+    :raises LookupError: when there is none
+    """
+    found: ModuleSpec | None = None
+    where: list[str] | None = None
+    name = ""
+    for part in module.split("."):
+        name = f"{name}.{part}" if name else part
+        found = next((spec for finder in sys.meta_path if (spec := finder.find_spec(name, where)) is not None), None)
+        if found is None:
+            raise LookupError(f"There is no module '{name}' in '{sys.executable}'.")
+        where = list(found.submodule_search_locations or [])
+    text = found.loader.get_source(module) if found and isinstance(found.loader, InspectLoader) else None
+    if found is None or text is None:
+        raise LookupError(f"Module '{module}' has no text that could be read.")
+    return found.origin or module, text
+
+
+def answer(words: dict[str, Any]) -> dict[str, Any]:
+    """Return what the file of a question says of its agent."""
+    if not words["module"]:
+        return inspect(words["text"], words["path"], words["class"])
+    try:
+        path, text = installed(words["module"])
+    except LookupError as mistake:
+        remedy = "Install the package for that Python, or name another one by RSAL_PYTHON=/path/to/python3."
+        return {"problems": [problem(1, 1, str(mistake), remedy)]}
+    return {**inspect(text, path, words["class"]), "file": path}
+
+
 def main() -> None:
     """Answers each frame with what the file in it says of its agent."""
     frames = Frames(sys.stdin.buffer, sys.stdout.buffer)
     while (question := frames.read()) is not None:
         words, _ = question
-        frames.write(inspect(words["text"], words["path"], words["class"]))
+        frames.write(answer(words))

@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import CodeType, FrameType
 from typing import Any
 
 from rsal.protocol import Frames
@@ -24,9 +25,11 @@ class RsalError(Exception):
 class Link:
     """One agent's. What needs no answer is kept until the end of the turn, or until something is asked."""
 
-    def __init__(self, frames: Frames, number: int) -> None:
+    def __init__(self, frames: Frames, number: int, over: list[Any]) -> None:
+        """``over`` has the turns that are over and that RSAL does not know yet."""
         self._frames = frames
-        self._number = number
+        self._over = over
+        self.number = number
         self._last = 0
         self.heard: dict[int, Heard] = {}
         self.asked: list[Any] = []
@@ -49,7 +52,8 @@ class Link:
         :raises RsalError: when RSAL cannot answer
         """
         kept, self.asked = self.asked, []
-        self._frames.write({"do": kept, "ask": [verb, place(), *arguments]})
+        self._frames.write({"turns": self._over, "agent": self.number, "do": kept, "ask": [verb, place(), *arguments]})
+        self._over.clear()
         answer = self._frames.read()
         if answer is None:
             os._exit(0)  # the run is over
@@ -64,11 +68,29 @@ class Link:
             self.do("cancel", number)
 
 
+_OWN: dict[CodeType, bool] = {}
+_PLACES: dict[tuple[CodeType, int], str] = {}
+_MOST_PLACES = 10_000
+
+
 def place() -> str:
     """Where the agent's own code is: ``hunter.py:42 in on_scan``."""
-    frame = sys._getframe(2)
-    while frame is not None and frame.f_code.co_filename.startswith(HOME):
-        frame = frame.f_back  # type: ignore[assignment]
-    if frame is None:
+    frame: FrameType | None = sys._getframe(2)
+    while frame is not None:
+        code = frame.f_code
+        own = _OWN.get(code)
+        if own is None:
+            own = _OWN[code] = not code.co_filename.startswith(HOME)
+        if own:
+            break
+        frame = frame.f_back
+    else:
         return ""
-    return f"{frame.f_code.co_filename}:{frame.f_lineno} in {frame.f_code.co_name}"
+    key = (code, frame.f_lasti)
+    known = _PLACES.get(key)
+    if known is None:
+        if len(_PLACES) >= _MOST_PLACES:  # of code that is made anew again and again
+            _PLACES.clear()
+            _OWN.clear()
+        known = _PLACES[key] = f"{code.co_filename}:{frame.f_lineno} in {code.co_name}"
+    return known

@@ -42,25 +42,35 @@ class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
 
     def __init__(self) -> None:
         self._texts: dict[str, tuple[str, str]] = {}  # path and text, by name of the module
+        self._packages: set[str] = set()  # names of those in folders
         self.paths: set[str] = set()
 
-    def add(self, texts: dict[str, str]) -> None:
+    def add(self, folder: str, texts: dict[str, str]) -> None:
         """Add files as modules.
 
+        :param folder: in which they are; ``parts/scan.py`` in it is module ``parts.scan``
         :raises ImportError: when there is another module of that name
         """
         for path, text in texts.items():
-            name = self.module(path)
+            name = self.module(path.removeprefix(folder))
             known = self._texts.setdefault(name, (path, text))
             if known != (path, text):
                 raise ImportError(f"Files '{known[0]}' and '{path}' are both module '{name}'. Rename one of them.")
             self.paths.add(path)
             linecache.cache[path] = (len(text), None, text.splitlines(True), path)
 
+            for end in range(len(name)):
+                if name[end] == ".":
+                    self._packages.add(name[:end])
+
     @staticmethod
     def module(path: str) -> str:
         """Return the name of the module in a file."""
-        return path.rsplit("/", 1)[-1].removesuffix(".py")
+        return path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+
+    def is_package(self, fullname: str) -> bool:
+        """Return whether other modules are in it."""
+        return self._texts[fullname][0].endswith("/__init__.py")
 
     def find_spec(
         self,
@@ -70,6 +80,8 @@ class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
     ) -> importlib.machinery.ModuleSpec | None:
         """Find a module among the files of the scenario."""
         if fullname not in self._texts:
+            if fullname in self._packages:  # a folder without __init__.py
+                return importlib.machinery.ModuleSpec(fullname, None, is_package=True)
             return None
         return importlib.util.spec_from_loader(fullname, self, origin=self._texts[fullname][0])
 
@@ -137,12 +149,13 @@ class Watcher(threading.Thread):
                 notice("debug")
             worker = self._worker
             now = worker.turns
-            if worker.turn is not None and now == before:
+            turn = worker.turn
+            if turn is not None and now == before:
                 frame = sys._current_frames().get(self._main or 0)
                 while frame is not None and frame.f_code.co_filename not in worker.files.paths:
                     frame = frame.f_back
                 if frame is not None:
-                    notice(f"at {frame.f_code.co_filename}:{frame.f_lineno} in {frame.f_code.co_name}")
+                    notice(f"at {turn.number} {frame.f_code.co_filename}:{frame.f_lineno} in {frame.f_code.co_name}")
             before = now
 
 
@@ -165,6 +178,7 @@ class Worker:
     def __init__(self, frames: Frames) -> None:
         self._frames = frames
         self._agents: dict[int, contract.Agent] = {}
+        self._over: list[dict[str, Any]] = []  # turns that are over and that RSAL does not know yet
         self._output = Output(self)
         self.files = Files()
         self.turn: Link | None = None
@@ -177,15 +191,20 @@ class Worker:
         """Until RSAL ends the conversation."""
         import numpy as np  # noqa: PLC0415 - only its version is needed
 
-        self._frames.write(
+        frames = self._frames
+        frames.write(
             {"protocol": VERSION, "python": platform.python_version(), "numpy": np.__version__, "order": sys.byteorder}
         )
-        while (event := self._frames.read()) is not None:
+        over = self._over
+        while (event := frames.read()) is not None:
             words, arrays = event
-            if "end" in words:
-                self._end(words["agent"])
-            else:
-                self._frames.write(self._take(words, arrays))
+            for number in words["ended"]:
+                self._end(number)
+            now = words["time"]
+            for turn in words["turns"]:
+                over.append(self._take(turn, now, arrays))
+            frames.write({"turns": over})
+            over.clear()
 
     def _end(self, number: int) -> None:
         agent = self._agents.pop(number, None)
@@ -198,23 +217,24 @@ class Worker:
                 except BaseException:  # it has ended; nobody waits for what it says
                     traceback.print_exc()
 
-    def _take(self, words: dict[str, Any], arrays: memoryview) -> dict[str, Any]:
+    def _take(self, words: dict[str, Any], now: float, arrays: memoryview) -> dict[str, Any]:
         number = words["agent"]
         agent = self._agents.get(number)
-        link = Link(self._frames, number) if agent is None else agent._link
-        link.time = words["time"]
+        link = Link(self._frames, number, self._over) if agent is None else agent._link
+        link.time = now
         self.turns += 1
         self.turn = link
-        answer: dict[str, Any] = {}
+        answer: dict[str, Any] = {"agent": number}
         try:
             if agent is None:
-                self._start(words, link)
+                self._start(number, words["start"], link)
             elif "stop" in words:
                 agent._run(agent.on_stop)
             else:
-                heard = link.heard.get(words["id"])
-                if heard is not None:
-                    heard(words["value"], arrays)
+                for event in words["events"]:
+                    heard = link.heard.get(event["id"])
+                    if heard is not None:
+                        heard(event["value"], arrays)
         except (Exception, SystemExit) as error:
             answer["failed"] = self._failure(error)
         self._output.over()
@@ -222,15 +242,18 @@ class Worker:
         answer["do"], link.asked = link.asked, []
         return answer
 
-    def _start(self, words: dict[str, Any], link: Link) -> None:
-        self.files.add(words["files"])
-        module = importlib.import_module(self.files.module(words["path"]))
+    def _start(self, number: int, words: dict[str, Any], link: Link) -> None:
+        self.files.add(words["folder"], words["files"])
+        module = importlib.import_module(words["module"])
+        if not words["files"] and module.__file__:  # one that is installed
+            self.files.paths.add(module.__file__)
         kind = getattr(module, words["class"])
         if not isinstance(kind, type) or not issubclass(kind, contract.Agent):
             raise TypeError(f"'{words['class']}' does not inherit from 'rsal.Agent'.")
         agent: contract.Agent = kind.__new__(kind)
         agent._link = link
         agent._tasks = []
+        agent._boards = {}
         agent._rng = None
         agent._seed = words["seed"]
         agent.random = random.Random(words["seed"])  # noqa: S311 - of a simulation, by its seed
@@ -241,7 +264,7 @@ class Worker:
         for name, value in words["arguments"].items():
             if isinstance(getattr(kind, name, None), Parameter):
                 setattr(agent, name, value)
-        self._agents[words["agent"]] = agent
+        self._agents[number] = agent
         agent.__init__()  # type: ignore[misc] # after all that it may use is there
         agent._run(agent.on_start)
 

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.SequencedMap;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
@@ -22,7 +23,8 @@ final class Inspection {
     private static final int PATIENCE = 20; // s; of a process that is told to end
     private static final SequencedMap<Asked, Map<?, ?>> KNOWN = new LinkedHashMap<>();
 
-    private record Asked(String path, String className, String text) {}
+    /// @param module of an installed one; empty of a file
+    private record Asked(String path, String module, String className, String text) {}
 
     private Inspection() {}
 
@@ -30,13 +32,19 @@ final class Inspection {
     ///
     /// @throws InvalidSettings with all errors in the file, or when there is no Python that could read it
     static Map<?, ?> of(PythonSources sources, Location askedAt) {
-        Map<?, ?> found = known(new Asked(sources.path(), sources.className(), sources.text()), askedAt);
+        Map<?, ?> found = known(
+                new Asked(
+                        sources.path(),
+                        sources.isInstalled() ? sources.module() : "",
+                        sources.className(),
+                        sources.text()),
+                askedAt);
         var problems = new Problems();
         for (Object each : FromWords.list(found.get("problems"))) {
             Map<?, ?> problem = (Map<?, ?>) each;
             problems.add(
                     new Location(
-                            sources.path(),
+                            String.valueOf(Objects.requireNonNullElse(found.get("file"), sources.path())),
                             FromWords.integer(problem.get("line")),
                             FromWords.integer(problem.get("column"))),
                     String.valueOf(problem.get("message")),
@@ -51,7 +59,7 @@ final class Inspection {
             Map<?, ?> known = KNOWN.get(asked);
             Map<?, ?> found = known == null ? ask(asked, askedAt) : known;
             boolean needsAnother = found.get("class") == null; // packages may be installed, and errors repaired
-            if (!needsAnother) {
+            if (!needsAnother && asked.module.isEmpty()) { // a package may be changed where it is installed
                 KNOWN.putLast(asked, found);
             }
             if (KNOWN.size() > MOST_KNOWN) {
@@ -67,7 +75,10 @@ final class Inspection {
             process = Interpreter.start("inspection");
             var frames = new FramePipe(process.getInputStream(), process.getOutputStream());
             frames.write(to ->
-                    to.put("path", asked.path).put("class", asked.className).put("text", asked.text));
+                    to.put("path", asked.path)
+                            .put("module", asked.module)
+                            .put("class", asked.className)
+                            .put("text", asked.text));
             Map<?, ?> found = frames.read();
             process.getOutputStream().close();
             process.waitFor(PATIENCE, TimeUnit.SECONDS);

@@ -1,5 +1,6 @@
 package rsal.python;
 
+import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -37,11 +38,11 @@ final class Postman {
     }
 
     /// An agent has ended: nothing is brought to it any more.
-    synchronized void forget(int agent) {
+    synchronized void forget(int agent, Instant now) {
         waiting.remove(agent);
         turns.remove(agent);
         post(agent, new Letter(0, false, () -> {
-            worker.forget(agent);
+            worker.turns().endNow(agent, now);
             drop(agent);
         }));
     }

@@ -1,5 +1,7 @@
 package rsal.python;
 
+import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,14 +13,14 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
 import rsal.agent.OutsideCode;
 import rsal.device.Device;
-import rsal.frame.FramePipe;
-import rsal.frame.ToWords;
 import rsal.robot.Robot;
+import rsal.time.Phase;
 
 /// A proxy of an agent that lives in a process of Python. What happens to it is sent there; what it asks for meanwhile
 /// is done here, on its lane. Its own code runs nowhere else, so that radios, faults, recordings and the page see an
@@ -36,7 +38,11 @@ final class PythonAgent implements Agent {
             PythonWorker worker,
             int number,
             PythonRequests requests,
-            CompletableFuture<Void> ended) {}
+            CompletableFuture<Void> ended) {
+        Instant now() {
+            return self.scheduler().instant();
+        }
+    }
 
     /// @param arguments values of its parameters, by name
     PythonAgent(PythonType type, Map<String, Object> arguments) {
@@ -48,13 +54,14 @@ final class PythonAgent implements Agent {
     public void start(AgentContext self) {
         PythonWorker worker = PythonWorker.enter(self.scheduler().run());
         var requests = new PythonRequests(self, this::deliver);
-        var own = new Life(self, worker, worker.number(), requests, new CompletableFuture<>());
+        int number = worker.number(self.name());
+        var own = new Life(self, worker, number, requests, new CompletableFuture<>());
         life = own;
         self.atEnd(() -> end(own));
         self.outside(new OutsideCode() {
             @Override
             public Optional<String> place() {
-                return worker.place();
+                return worker.place(number);
             }
 
             @Override
@@ -62,20 +69,28 @@ final class PythonAgent implements Agent {
                 return worker.isDebugged();
             }
         });
-        send(own, 0, false, to -> begin(own, to));
+        var words = Map.of("agent", number, "start", described(own));
+        if (worker.postman().isEmpty()) {
+            worker.turns().start(number, own.now(), words, requests);
+        } else {
+            post(own, 0, false, turns -> turns.start(number, own.now(), words, new FarPeer(own)));
+        }
     }
 
-    private void begin(Life own, ToWords to) {
+    private Map<String, Object> described(Life own) {
         AgentContext self = own.self;
-        to.put("files", type.sources().texts())
-                .put("path", type.sources().path())
-                .put("class", type.className())
-                .put("name", self.name())
-                .put("role", self.role())
-                .put("seed", own.requests.seed())
-                .put("simulation", own.requests.simulation().isPresent())
-                .put("robot", own.requests.robot().map(PythonAgent::described))
-                .put("arguments", arguments);
+        var words = new LinkedHashMap<String, Object>();
+        words.put("files", type.sources().texts());
+        words.put("folder", type.sources().folder());
+        words.put("module", type.sources().module());
+        words.put("class", type.className());
+        words.put("name", self.name());
+        words.put("role", self.role());
+        words.put("seed", own.requests.seed());
+        words.put("simulation", own.requests.simulation().isPresent());
+        words.put("robot", own.requests.robot().map(PythonAgent::described));
+        words.put("arguments", arguments);
+        return words;
     }
 
     private static Map<String, Object> described(Robot robot) {
@@ -102,21 +117,25 @@ final class PythonAgent implements Agent {
             return;
         }
         if (own.worker.postman().isEmpty()) {
-            own.worker.exchange(to -> head(own, to).put("stop", true), own.requests);
+            own.worker.turns().stop(own.number, own.now(), own.requests);
             return;
         }
         var said = new CompletableFuture<List<?>>();
-        send(own, 0, false, to -> to.put("stop", true), new PythonWorker.Peer() {
-            @Override
-            public void perform(List<?> asked) {
-                said.complete(asked);
-            }
+        post(
+                own,
+                0,
+                false,
+                turns -> turns.stop(own.number, own.now(), new PythonTurns.Peer() {
+                    @Override
+                    public void perform(List<?> asked) {
+                        said.complete(asked);
+                    }
 
-            @Override
-            public @Nullable Object answer(List<?> asked) {
-                throw new IllegalStateException("Nothing can be asked any more: the agent is stopped.");
-            }
-        });
+                    @Override
+                    public @Nullable Object answer(List<?> asked) {
+                        throw new IllegalStateException("Nothing can be asked any more: the agent is stopped.");
+                    }
+                }));
         try {
             own.requests.perform(said.get(LAST_WORDS, TimeUnit.MILLISECONDS));
         } catch (TimeoutException | ExecutionException _) {
@@ -130,7 +149,9 @@ final class PythonAgent implements Agent {
         own.ended.complete(null);
         own.worker
                 .postman()
-                .ifPresentOrElse(postman -> postman.forget(own.number), () -> own.worker.forget(own.number));
+                .ifPresentOrElse(
+                        postman -> postman.forget(own.number, own.now()),
+                        () -> own.worker.turns().end(own.number));
         own.worker.leave();
     }
 
@@ -143,28 +164,30 @@ final class PythonAgent implements Agent {
         if (own == null) {
             return;
         }
-        if (own.worker.isBusy()) { // it follows from something that Python asks for just now
-            own.self.scheduler().execute(() -> deliver(number, newest, value));
-        } else {
-            send(own, number, newest, to -> to.put("id", number).put("value", Optional.ofNullable(value)));
+        var told = Optional.ofNullable(value);
+        if (own.worker.postman().isPresent()) {
+            post(own, number, newest, turns -> turns.hear(own.number, own.now(), number, told));
+        } else if (own.worker.turns().gather(own.number, number, told)) {
+            comeLater(own);
         }
     }
 
-    private void send(Life own, int number, boolean newest, FramePipe.Content content) {
-        if (own.worker.postman().isEmpty()) {
-            own.worker.exchange(to -> content.write(head(own, to)), own.requests);
-        } else {
-            send(own, number, newest, content, new FarPeer(own));
-        }
+    /// After all that happens to the agents of the run in this phase of the instant.
+    private static void comeLater(Life own) {
+        own.self.scheduler().after(Duration.ZERO, Phase.THINK, () -> {
+            if (!own.worker.turns().take(own.number, own.now())) {
+                comeLater(own);
+            }
+        });
     }
 
-    private static void send(Life own, int number, boolean newest, FramePipe.Content content, PythonWorker.Peer peer) {
+    private static void post(Life own, int number, boolean newest, Consumer<PythonTurns> turn) {
         Runnable bring = () -> {
             if (own.ended.isDone()) {
                 return;
             }
             try {
-                own.worker.exchange(to -> content.write(head(own, to)), peer);
+                turn.accept(own.worker.turns());
             } catch (RuntimeException e) {
                 own.self.scheduler().execute(() -> {
                     throw e;
@@ -174,13 +197,8 @@ final class PythonAgent implements Agent {
         own.worker.postman().orElseThrow().post(own.number, new Postman.Letter(number, newest, bring));
     }
 
-    private static ToWords head(Life own, ToWords to) {
-        return to.put("agent", own.number)
-                .put("time", ToWords.seconds(own.self.scheduler().instant()));
-    }
-
     /// What Python asks for in real time, on the thread that waits for it: it is done on the agent's lane.
-    private record FarPeer(Life own) implements PythonWorker.Peer {
+    private record FarPeer(Life own) implements PythonTurns.Peer {
         @Override
         public void perform(List<?> asked) {
             if (!asked.isEmpty()) {

@@ -9,6 +9,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
@@ -69,17 +70,22 @@ final class PythonConversations {
     }
 
     private static Map<String, Object> words(ConversationResult<Map> ending) {
+        return words(ending, result -> result);
+    }
+
+    /// @param written what is informed, in words
+    static <T> Map<String, Object> words(ConversationResult<T> ending, Function<? super T, ?> written) {
         var words = new LinkedHashMap<String, Object>(Map.of("content", Map.of(), "why", ""));
         switch (ending) {
-            case ConversationResult.Informed<Map>(Map result) -> {
+            case ConversationResult.Informed<T>(T result) -> {
                 words.put("how", "informed");
-                words.put("content", result);
+                words.put("content", written.apply(result));
             }
-            case ConversationResult.Refused<Map>(String why) -> ended(words, "refused", why);
-            case ConversationResult.Failed<Map>(String why) -> ended(words, "failed", why);
-            case ConversationResult.NotUnderstood<Map>(String why) -> ended(words, "not understood", why);
-            case ConversationResult.Silent<Map>(String why) -> ended(words, "silent", why);
-            case ConversationResult.Cancelled<Map>() -> ended(words, "cancelled", "");
+            case ConversationResult.Refused<T>(String why) -> ended(words, "refused", why);
+            case ConversationResult.Failed<T>(String why) -> ended(words, "failed", why);
+            case ConversationResult.NotUnderstood<T>(String why) -> ended(words, "not understood", why);
+            case ConversationResult.Silent<T>(String why) -> ended(words, "silent", why);
+            case ConversationResult.Cancelled<T>() -> ended(words, "cancelled", "");
         }
         return words;
     }

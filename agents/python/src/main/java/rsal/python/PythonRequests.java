@@ -29,7 +29,7 @@ import rsal.robot.Robot;
 /// A request is a list: a verb, the place in Python that asks, and arguments. What comes later comes under a number
 /// that
 /// Python has chosen.
-final class PythonRequests implements PythonWorker.Peer {
+final class PythonRequests implements PythonTurns.Peer {
     private static final int ARGUMENTS = 2; // after verb and place
 
     private static final Map<String, Topic<?>> INSTALLED =
@@ -44,6 +44,8 @@ final class PythonRequests implements PythonWorker.Peer {
     private final Map<Integer, GoalHandle<?, ?>> goals = new HashMap<>(); // that go on, by number
     private final PythonConversations conversations;
     private final PythonMind mind;
+    private final PythonPilots pilots;
+    private final PythonBoards boards;
 
     /// Told what Python listens to.
     interface Heard {
@@ -62,6 +64,8 @@ final class PythonRequests implements PythonWorker.Peer {
         this.seed = self.random().nextLong() >>> 1; // Python's are not negative
         this.conversations = new PythonConversations(self, heard);
         this.mind = new PythonMind(self);
+        this.boards = new PythonBoards(self, heard, held);
+        this.pilots = new PythonPilots(self, heard);
     }
 
     Optional<Robot> robot() {
@@ -151,6 +155,8 @@ final class PythonRequests implements PythonWorker.Peer {
             case "state" -> self.state(asked.text(0));
             case "show" -> self.show(asked.text(0), asked.text(1));
             case "metric" -> self.metric(asked.text(0), FromWords.number(asked.argument(1)));
+            case "board", "keepBoard", "writeBoard", "eraseBoard", "askBoard", "watchBoard" -> boards.perform(asked);
+            case "engage", "velocity" -> pilots.perform(asked, robot.orElseThrow());
             case "believe", "forget", "pursue", "reached", "drop" -> mind.perform(asked);
             default -> conversations.perform(asked);
         }
@@ -221,7 +227,7 @@ final class PythonRequests implements PythonWorker.Peer {
     }
 
     /// One that RSAL has, or one of people's own, whose messages are maps.
-    private static Topic<?> topic(String name) {
+    static Topic<?> topic(String name) {
         Topic<?> installed = INSTALLED.get(name);
         return installed == null ? new Topic<>(name, Map.class) : installed;
     }
@@ -234,7 +240,7 @@ final class PythonRequests implements PythonWorker.Peer {
         self.send(to, topic, content(topic, content));
     }
 
-    private static <M> M content(Topic<M> topic, @Nullable Object words) {
+    static <M> M content(Topic<M> topic, @Nullable Object words) {
         return topic.type().cast(FromWords.value(words, topic.type()));
     }
 

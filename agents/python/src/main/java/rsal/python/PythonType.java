@@ -3,6 +3,7 @@ package rsal.python;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import rsal.agent.Agent;
 import rsal.agent.AgentType;
@@ -43,7 +44,9 @@ record PythonType(
             Class<? extends Device> contract = DeviceCalls.all().get(name);
             if (contract == null) {
                 problems.add(
-                        new Location(sources.path(), FromWords.integer(named.get(1)), FromWords.integer(named.get(2))),
+                        new Location(
+                                String.valueOf(Objects.requireNonNullElse(found.get("file"), sources.path())),
+                                FromWords.integer(named.get(1)), FromWords.integer(named.get(2))),
                         "There is no device '%s'.".formatted(name),
                         Suggestion.among(name, List.copyOf(DeviceCalls.all().keySet())));
             } else {

@@ -2,6 +2,8 @@ package rsal.python;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -17,16 +19,20 @@ import rsal.agent.AgentType;
 import rsal.agent.Message;
 import rsal.agent.Topic;
 import rsal.agent.bdi.Mind;
+import rsal.agent.board.TeamBoard;
 import rsal.agent.message.PoseReport;
 import rsal.agent.platform.AgentPlatform;
 import rsal.agent.platform.PlainHost;
 import rsal.agent.protocol.ContractNet;
 import rsal.agent.protocol.Request;
+import rsal.behavior.PilotDriver;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.system.RobotSystemProvider;
+import rsal.testkit.OfficialPython;
 import rsal.testkit.contract.RobotBench;
 import rsal.testkit.fake.FakeLocalizer;
 import rsal.testkit.fake.FakeNavigator;
@@ -54,7 +60,7 @@ class PythonAgentIT extends RobotBench {
 
     @Override
     protected List<DeviceDriver> drivers() {
-        return List.of(new FakeLocalizer.Driver(), new FakeNavigator.Driver(), new FakePlanner.Driver());
+        return List.of(new PilotDriver(), new FakeLocalizer.Driver(), new FakeNavigator.Driver(), new FakePlanner.Driver());
     }
 
     @BeforeEach
@@ -314,6 +320,136 @@ class PythonAgentIT extends RobotBench {
         assertThat(lines)
                 .containsExactly(
                         "java {'cost': 3} {'by': 'java'}", "al {'cost': 2} {'by': 'al', 'at': 1.0}", "java", "[]");
+    }
+
+    @Test
+    void itSharesABoardWithItsTeam() {
+        start("master", """
+                def on_start(self):
+                    self.keep_board("finds")
+                """);
+        start("java", self -> {
+            var board = new TeamBoard(self, "finds", _ -> {});
+            self.scheduler()
+                    .after(
+                            Duration.ofSeconds(1),
+                            () -> board.write(
+                                    new Topic<>("bids", Map.class),
+                                    "b",
+                                    Map.of("price", 2),
+                                    new Point2d(9, 9),
+                                    Duration.ofSeconds(3)));
+        });
+        start("amy", """
+                async def on_start(self):
+                    board = self.team_board("finds")
+                    board.on_event(lambda event: print(event.kind, event.about))
+                    watch = board.watch(BIDS, self.on_change)
+                    board.write(BIDS, "a", {"price": 1}, lifetime=60, place=Pose2d(1, 2, 3))
+                    await self.sleep(2.0)
+                    found = await board.ask(BIDS, near=Point2d(1, 1), distance=3)
+                    print([note.content for note in found.notes], found.notes[0].place, found.left, found.why == "")
+                    print(board.keeper, len((await board.ask(BIDS, author="java")).notes), watch.current)
+                    await self.sleep(3.0)
+                    print([note.name for note in watch.notes])
+                    watch.cancel()
+                    board.erase(BIDS, "a")
+                    await self.sleep(1.0)
+                    print((await board.ask(BIDS)).notes)
+                    self.publish(BIDS, {"over": True})
+                    await self.sleep(1.0)
+                def on_change(self, watch):
+                    print([f"{note.name} of {note.author}" for note in watch.notes])
+                """);
+        advance(12);
+        assertThat(lines)
+                .containsSubsequence(
+                        "kept master",
+                        "['a of amy']",
+                        "['b of java', 'a of amy']",
+                        "[{'price': 1}] Point2d(x=1.0, y=2.0) 0 True",
+                        "master 1 True",
+                        "['a']",
+                        "[]");
+    }
+
+    @Test
+    void behaviorsDriveItsRobot() {
+        startOnRobot("""
+                async def on_start(self):
+                    pilot = self.robot.pilot
+                    self.called = 0
+                    pilot.engage(self.creep, "creep")
+                    layers = []
+                    pilot.subscribe(lambda decision: layers.append(decision.value.in_charge))
+                    await self.sleep(3.0)
+                    print(self.called, self.robot.base.latest.value.velocity.vx, "creep" in layers, pilot.engaged)
+                    pilot.engage("wander")
+                    await self.sleep(3.0)
+                    print(self.called, self.robot.base.latest.value.velocity.vx > 0.3, "wander" in layers)
+                    pilot.release()
+                    await self.sleep(1.0)
+                    print(self.robot.base.latest.value.velocity.vx, pilot.engaged)
+                    pilot.engage("fly")
+                def creep(self, percept):
+                    self.called += 1
+                    return Twist2d(0.1 if percept.nearest(-0.3, 0.3) > 0.5 else 0.0, 0.0, 0.0)
+                """);
+        advance(8);
+        assertThat(lines).containsExactly("29 0.1 True True", "29 True True", "0.0 False");
+        assertThat(view("a").state()).startsWith("a.py:23 in on_start: There is no behavior 'fly'.");
+    }
+
+    @Test
+    void itUsesModulesInFolders() {
+        AgentType type = Texts.type(
+                "own/amy.py",
+                Map.of(
+                        "own/amy.py",
+                        """
+                        import rsal
+                        from parts.scan import near
+                        import bare.deep as deep
+                        class A(rsal.Agent):
+                            def on_start(self):
+                                print(near(2), deep.__name__, __name__)
+                                near(None)
+                        """,
+                        "own/parts/__init__.py",
+                        "SIZE = 20\n",
+                        "own/parts/scan.py",
+                        "from . import SIZE\ndef near(x):\n    return x + SIZE\n",
+                        "own/bare/deep.py",
+                        ""));
+        platform.start(new AgentSpec("amy", "tested", type, Arguments.defaults(List.of()), Optional.empty(), 1));
+        advance(0.1);
+        assertThat(lines).containsExactly("22 bare.deep amy");
+        assertThat(view("amy").state()).startsWith("own/parts/scan.py:3 in near: TypeError");
+    }
+
+    @Test
+    void itIsInAnInstalledPackage() throws Exception {
+        Path site = Path.of(OfficialPython.run("import site; print(site.getsitepackages()[0])")
+                .strip());
+        Path module = Files.createDirectories(site.resolve("rsal_tested")).resolve("agents.py");
+        Files.writeString(
+                module,
+                """
+                import rsal
+                from . import agents as itself
+                class Guard(rsal.Agent):
+                    speed: float = rsal.Param(0.4)
+                    def on_start(self):
+                        print(self.speed, itself.__name__)
+                        self.after(1.0, lambda: {}["so"])
+                """);
+        AgentType type = Texts.type("python:rsal_tested.agents:Guard", Map.of());
+        assertThat(type.key()).isEqualTo("python:rsal_tested.agents:Guard");
+        platform.start(new AgentSpec(
+                "amy", "tested", type, Arguments.of(type.parameters(), Map.of("speed", 1)), Optional.empty(), 1));
+        advance(2);
+        assertThat(lines).containsExactly("1.0 rsal_tested.agents");
+        assertThat(view("amy").state()).isEqualTo(module.toRealPath() + ":7 in <lambda>: KeyError: 'so'");
     }
 
     @Test

@@ -108,6 +108,66 @@ class PythonLanguageIT {
     }
 
     @Test
+    void modulesInFoldersBesideItAreReadAsFarAsTheyAreImported() {
+        var texts = Map.of(
+                "own/a.py",
+                """
+                import os.path, parts.scan
+                from parts import (  # several lines
+                    tail,
+                    head as first,
+                )
+                from bare.deep import x
+                import rsal
+                class A(rsal.Agent):
+                    pass
+                """,
+                "own/parts/__init__.py",
+                "",
+                "own/parts/scan.py",
+                "from .side import y\nfrom ..upper import z\nfrom . import more\n",
+                "own/parts/side.py",
+                "",
+                "own/parts/more.py",
+                "",
+                "own/parts/tail.py",
+                "",
+                "own/upper.py",
+                "",
+                "own/bare/deep.py",
+                "",
+                "own/bare/other.py",
+                "nobody imports it",
+                "parts/scan.py",
+                "of another folder");
+        var sources = PythonSources.read("own/a.py", Texts.files(texts), Location.of("scenario.yaml"));
+        assertThat(sources.module()).isEqualTo("a");
+        assertThat(sources.folder()).isEqualTo("own/");
+        assertThat(sources.texts())
+                .containsOnlyKeys(
+                        "own/a.py",
+                        "own/parts/__init__.py",
+                        "own/parts/scan.py",
+                        "own/parts/side.py",
+                        "own/parts/more.py",
+                        "own/parts/tail.py",
+                        "own/upper.py",
+                        "own/bare/deep.py");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            python:numpy.version:Agent  | There is no class 'Agent' that inherits from 'rsal.Agent' in this file.
+            python:numpy.nothing:Agent  | There is no module 'numpy.nothing' in
+            python:numpy.version        | names no class of an installed package.
+            """)
+    void agentsOfInstalledPackagesAreLookedForThere(String type, String message) {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Texts.type(type, Map.of()))
+                .withMessageContaining(message);
+    }
+
+    @Test
     void aPythonThatCannotBeStartedIsNamed() {
         AgentType known = Texts.type(HUNTER);
         assertThat(known.key()).isEqualTo("a.py");
