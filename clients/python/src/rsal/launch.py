@@ -16,6 +16,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NoReturn
 
+from rsal.errors import RsalError as RsalError  # noqa: PLC0414 - also of this module
+
 JAVA_LEAST = 25
 UNREACHABLE = 5
 """Exit code of the command line for what is not there."""
@@ -25,10 +27,6 @@ _JAR_TIME = 1_767_225_600
 
 _CACHES_KEPT = 2
 """With two environments of different versions, neither has to make its cache again and again."""
-
-
-class RsalError(Exception):
-    """Something that RSAL cannot do: what, where, with which value, and what to try."""
 
 
 def program_folder() -> Path | None:

@@ -10,11 +10,11 @@ if TYPE_CHECKING:
     from rsal.agents.boards import BoardEvent, BoardNote, BoardWatch, Found, TeamBoard
     from rsal.agents.conversations import Award, Call, Question, Refusal, Result
     from rsal.agents.devices import Device, Goal, Percept, Robot, Stamped, Subscription
-    from rsal.agents.link import RsalError
     from rsal.agents.param import Param
     from rsal.agents.topics import Topic
     from rsal.agents.values import Point2d, Pose2d, Twist2d
     from rsal.agents.waiting import Pending
+    from rsal.errors import RsalError
 
 _MODULES = {
     "Agent": "agent",
@@ -39,7 +39,6 @@ _MODULES = {
     "Robot": "devices",
     "Stamped": "devices",
     "Subscription": "devices",
-    "RsalError": "link",
     "Param": "param",
     "Topic": "topics",
     "Point2d": "values",
@@ -82,6 +81,8 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
+    if name == "RsalError":
+        return getattr(import_module("rsal.errors"), name)
     if name in _MODULES:
         return getattr(import_module(f"rsal.agents.{_MODULES[name]}"), name)
     raise AttributeError(f"module 'rsal.agents' has no attribute '{name}'")
