@@ -217,6 +217,7 @@ class Agent:
     def send(self, to: str, topic: object) -> None: ...
     def send(self, to: str, topic: Any, message: Any = None) -> None:
         """Send a message to one agent, if it listens."""
+        talk.check_name(to)
         self._link.do("send", to, *topic_content(topic, message))
 
     @overload

@@ -70,12 +70,20 @@ class Award:
     result: Result
 
 
+def check_name(to: object) -> None:
+    """Raise TypeError unless it is a text: names are what agents are told apart by."""
+    if not isinstance(to, str):
+        remedy = " Maybe add '.name' to it." if isinstance(getattr(to, "name", None), str) else ""
+        raise TypeError(f"A message goes to the name of an agent, not to '{type(to).__name__}'.{remedy}")
+
+
 def _result(words: dict[str, Any]) -> Result:
     return Result(words["how"], words["content"], words["why"])
 
 
 def ask(agent: Agent, to: str, service: str, question: dict[str, Any], silence: float) -> Pending[Result]:
     """Begin a FIPA Request; see :meth:`Agent.ask`."""
+    check_name(to)
     pending: Pending[Result] = Pending()
     link = agent._link
 
@@ -135,6 +143,10 @@ def call(
     within: float,
 ) -> Pending[list[Award]]:
     """Begin a FIPA Contract Net as its manager; see :meth:`Agent.call`."""
+    if isinstance(to, str):
+        raise TypeError(f"A call goes to a list of names, not to the text '{to}'. Maybe write ['{to}'].")
+    for each in to:
+        check_name(each)
     pending: Pending[list[Award]] = Pending()
     link = agent._link
     open_bids: dict[str, dict[str, Any]] = {}

@@ -21,15 +21,27 @@ from typing import Any
 
 import rsal.agents.agent as contract
 from rsal.agents import devices
-from rsal.agents.link import HOME, Link
+from rsal.agents.link import HOME, Link, Outbox
 from rsal.agents.param import Parameter
-from rsal.protocol import VERSION, Frames
+from rsal.protocol import VERSION, Frames, encode
 
 NOTICE = "\x01"
 """Begins lines on stderr that are for RSAL and not for people."""
 
 LOOK = 1.0
 """How often the watcher looks [s]."""
+
+
+MOST_WORDS = 10_000
+"""Of an exception [characters]."""
+
+MOST_FRAMES = 200
+"""Of a stack: an endless recursion has a thousand."""
+
+
+def printable(text: str) -> str:
+    """Return the text with escapes for characters that UTF-8 cannot have, as names of files may have them."""
+    return text.encode(errors="backslashreplace").decode()
 
 
 def notice(words: str) -> None:
@@ -124,7 +136,7 @@ class Output(io.TextIOBase):
         if link is None:
             sys.stderr.write(line + "\n")
         else:
-            link.do("print", line)
+            link.do("print", printable(line))
 
 
 class Watcher(threading.Thread):
@@ -178,7 +190,7 @@ class Worker:
     def __init__(self, frames: Frames) -> None:
         self._frames = frames
         self._agents: dict[int, contract.Agent] = {}
-        self._over: list[dict[str, Any]] = []  # turns that are over and that RSAL does not know yet
+        self._outbox = Outbox(frames)
         self._output = Output(self)
         self.files = Files()
         self.turn: Link | None = None
@@ -195,52 +207,51 @@ class Worker:
         frames.write(
             {"protocol": VERSION, "python": platform.python_version(), "numpy": np.__version__, "order": sys.byteorder}
         )
-        over = self._over
+        outbox = self._outbox
         while (event := frames.read()) is not None:
             words, arrays = event
             for number in words["ended"]:
                 self._end(number)
             now = words["time"]
             for turn in words["turns"]:
-                over.append(self._take(turn, now, arrays))
-            frames.write({"turns": over})
-            over.clear()
+                outbox.add(self._take(turn, now, arrays))
+            outbox.send()
 
     def _end(self, number: int) -> None:
         agent = self._agents.pop(number, None)
         if agent is not None:
-            agent._link.ended = True
-            agent._link.asked = []
+            agent._link.ended = True  # its ``finally`` blocks run, but what they ask for is not done
             for task in list(agent._tasks):
                 try:
                     task.close()
                 except BaseException:  # it has ended; nobody waits for what it says
                     traceback.print_exc()
 
-    def _take(self, words: dict[str, Any], now: float, arrays: memoryview) -> dict[str, Any]:
+    def _take(self, words: dict[str, Any], now: float, arrays: memoryview) -> bytes:
         number = words["agent"]
         agent = self._agents.get(number)
-        link = Link(self._frames, number, self._over) if agent is None else agent._link
+        link = Link(self._frames, number, self._outbox) if agent is None else agent._link
         link.time = now
         self.turns += 1
         self.turn = link
-        answer: dict[str, Any] = {"agent": number}
+        failure = b""
         try:
-            if agent is None:
-                self._start(number, words["start"], link)
-            elif "stop" in words:
-                agent._run(agent.on_stop)
-            else:
-                for event in words["events"]:
-                    heard = link.heard.get(event["id"])
-                    if heard is not None:
-                        heard(event["value"], arrays)
-        except (Exception, SystemExit) as error:
-            answer["failed"] = self._failure(error)
-        self._output.over()
+            try:
+                if agent is None:
+                    self._start(number, words["start"], link)
+                elif "stop" in words:
+                    agent._run(agent.on_stop)
+                else:
+                    for event in words["events"]:
+                        heard = link.heard.get(event["id"])
+                        if heard is not None:
+                            heard(event["value"], arrays)
+            finally:
+                self._output.over()
+        except BaseException as error:  # this agent ends, and no other one: also by CancelledError and SystemExit
+            failure = b',"failed":' + encode(self._failure(error))
         self.turn = None
-        answer["do"], link.asked = link.asked, []
-        return answer
+        return b'{"agent":%d,"do":%b%b}' % (number, link.take(), failure)
 
     def _start(self, number: int, words: dict[str, Any], link: Link) -> None:
         self.files.add(words["folder"], words["files"])
@@ -273,12 +284,17 @@ class Worker:
         own = [frame for frame in stack if frame.filename in self.files.paths]
         others = [frame for frame in stack if not frame.filename.startswith((HOME, "<frozen"))]
         where = next(reversed(own or others), None)
-        words = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+        words = type(error).__name__
+        try:
+            words = f"{words}: {error}" if str(error) else words
+        except Exception:  # of an exception that has no words either
+            traceback.print_exc()
         if isinstance(error, SyntaxError) and error.filename:
             words = f"{error.filename}:{error.lineno}: SyntaxError: {error.msg}"
         elif where is not None:
             words = f"{where.filename}:{where.lineno} in {where.name}: {words}"
-        return {"message": words, "frames": [[each.filename, each.lineno or 0, each.name] for each in reversed(stack)]}
+        frames = [[each.filename, each.lineno or 0, each.name] for each in reversed(stack[-MOST_FRAMES:])]
+        return {"message": printable(words[:MOST_WORDS]), "frames": frames}
 
 
 def work(frames: Frames) -> None:
