@@ -26,6 +26,9 @@ BEGIN = [
 ]
 
 
+BASE = [{"index": 0, "name": "base", "contract": "DriveBase"}]
+
+
 class Java:
     """What RSAL's other side does: it starts agents, tells them what happens, and answers questions with ``None``."""
 
@@ -62,11 +65,11 @@ class Java:
                 (over,) = words["turns"]
                 return {**over, "do": done + over["do"]}
 
-    def start(self, body: str) -> dict[str, Any]:
+    def start(self, body: str, devices: list[dict[str, Any]] = BASE) -> dict[str, Any]:
         """Start one more agent."""
         self.count += 1
         module = f"agent{self.count}"
-        text = "import asyncio, math\nimport numpy as np\nimport rsal\nclass A(rsal.Agent):\n"
+        text = "import asyncio\nimport numpy as np\nimport rsal\nfrom rsal.agents import Pose2d\nclass A(rsal.Agent):\n"
         start = {
             "files": {f"{module}.py": text + textwrap.indent(textwrap.dedent(body), "    ")},
             "folder": "",
@@ -80,7 +83,7 @@ class Java:
                 "id": "r",
                 "role": "r",
                 "model": "m",
-                "devices": [{"index": 0, "name": "base", "contract": "DriveBase"}],
+                "devices": devices,
             },
             "arguments": {},
         }
@@ -130,7 +133,7 @@ HEALTHY = """
 def test_what_one_agent_throws_or_cannot_send_ends_it_alone(java: Java, line: str, words: str) -> None:
     java.start(HEALTHY)
     ended = java.start(f"def on_start(self):\n    {line}\n")
-    assert ended["failed"]["message"].startswith(f"agent2.py:6 in on_start: {words}")
+    assert ended["failed"]["message"].startswith(f"agent2.py:7 in on_start: {words}")
     assert lines(java.tell(1, 1)) == ["beats"]
 
 
@@ -209,3 +212,52 @@ def test_ctrl_c_of_the_terminal_is_for_rsal(java: Java) -> None:
     time.sleep(0.1)
     assert lines(java.tell(1, 1)) == ["busy"]
     assert lines(java.exchange({"agent": 1, "stop": True})) == ["stops"]
+
+
+NAVIGATOR = [{"index": 0, "name": "navigator", "contract": "Navigator"}]
+
+DRIVES = """
+    def on_start(self):
+        goal = self.robot.navigator.go_to(Pose2d(1, 2, 3))
+        goal.on_feedback(self.on_feedback)
+        goal.on_result(self.on_arrival)
+    def on_feedback(self, progress):
+        print("feedback", progress.value.remaining)
+    async def on_arrival(self, result):
+        print("arrived", type(result).__name__)
+        await self.sleep(1.0)
+        print("rests")
+"""
+
+
+def test_listeners_may_be_async_and_reports_end_with_their_goal(java: Java) -> None:
+    begun = java.start(DRIVES, NAVIGATOR)
+    (_, _, goal, *_), (_, _, _, reports) = begun["do"]
+    here = {"x": 0, "y": 0, "theta": 0}
+    progress = {"mapFromBase": here, "remaining": 2.5, "waypoint": here, "driving": 0}
+    report = {"time": 0.0, "frame": "map", "value": progress}
+    assert lines(java.tell(1, reports, report)) == ["feedback 2.5"]
+    ended = java.tell(1, goal, {"value": {"type": "Reached", "mapFromBase": here, "doubt": ""}})
+    assert lines(ended) == ["arrived NavigatorReached"]
+    assert ["cancel", reports] in [[each[0], each[2]] for each in ended["do"]]
+    (sleeps,) = [each[2] for each in ended["do"] if each[0] == "after"]
+    assert lines(java.tell(1, reports, report)) == []
+    assert lines(java.tell(1, sleeps)) == ["rests"]
+
+
+def test_a_request_that_fails_is_an_error_where_it_is_waited_for(java: Java) -> None:
+    asked = java.start(
+        """
+        async def on_start(self):
+            try:
+                await self.robot.navigator.go_to(Pose2d(1, 2, 3))
+            except rsal.RsalError as error:
+                print("no:", error)
+            await self.robot.navigator.go_to(Pose2d(1, 2, 3))
+        """,
+        NAVIGATOR,
+    )
+    again = java.tell(1, asked["do"][0][2], {"error": "The robot is gone.", "place": ""})
+    assert lines(again) == ["no: The robot is gone."]
+    ended = java.tell(1, again["do"][1][2], {"error": "The robot is gone.", "place": ""})
+    assert ended["failed"]["message"] == "agent1.py:12 in on_start: RsalError: The robot is gone."

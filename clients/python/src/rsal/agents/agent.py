@@ -265,7 +265,7 @@ class Agent:
 
     def sleep(self, seconds: float) -> Pending[None]:
         """``await self.sleep(2)`` waits in the time of the run."""
-        pending: Pending[None] = Pending()
+        pending: Pending[None] = Pending(self._run)
         self.after(seconds, pending._end, None)
         return pending
 

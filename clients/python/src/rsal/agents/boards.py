@@ -161,7 +161,7 @@ class TeamBoard:
         newest: int = 100,
     ) -> Pending[Found[M]]:
         """Ask the master for notes: ``found = await board.ask(Sighting, near=here, distance=5)``."""
-        pending: Pending[Found[M]] = Pending()
+        pending: Pending[Found[M]] = Pending(self._agent._run)
         key, kind = topic_of(topic)
         decode = decoder(kind)
         link = self._agent._link

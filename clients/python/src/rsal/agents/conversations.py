@@ -84,7 +84,7 @@ def _result(words: dict[str, Any]) -> Result:
 def ask(agent: Agent, to: str, service: str, question: dict[str, Any], silence: float) -> Pending[Result]:
     """Begin a FIPA Request; see :meth:`Agent.ask`."""
     check_name(to)
-    pending: Pending[Result] = Pending()
+    pending: Pending[Result] = Pending(agent._run)
     link = agent._link
 
     def heard(words: Any, _arrays: memoryview) -> None:
@@ -147,7 +147,7 @@ def call(
         raise TypeError(f"A call goes to a list of names, not to the text '{to}'. Maybe write ['{to}'].")
     for each in to:
         check_name(each)
-    pending: Pending[list[Award]] = Pending()
+    pending: Pending[list[Award]] = Pending(agent._run)
     link = agent._link
     open_bids: dict[str, dict[str, Any]] = {}
     awards: list[Award] = []

@@ -53,11 +53,15 @@ class Subscription:
 
 
 class Goal(Pending[R], Generic[F, R]):
-    """A goal under way: ``result = await goal``. A failure is a result, no exception."""
+    """A goal under way: ``result = await goal``. A failure is a result, no exception.
+
+    Only when the robot's system cannot even say how it ended, as when it is gone, ``await`` raises :class:`RsalError`.
+    """
 
     def __init__(self, agent: Agent, feedback: Any) -> None:
-        super().__init__()
+        super().__init__(agent._run)
         self._agent = agent
+        self._reports: list[int] = []
         self._feedback = feedback
         self._number = 0
 
@@ -67,14 +71,31 @@ class Goal(Pending[R], Generic[F, R]):
             self._agent._link.do("cancelGoal", self._number)
 
     def on_feedback(self, listener: Callable[[Stamped[F]], object]) -> None:
-        """Call a method with each report of progress."""
+        """Call a method with each report of progress, until the goal has ended."""
+        if self.done:
+            return
         decode = decoder(self._feedback)
         run = self._agent._run
 
         def heard(words: Any, arrays: memoryview) -> None:
             run(listener, Stamped(words["time"], words["frame"], decode(words["value"], arrays)))
 
-        self._agent._link.do("feedback", self._number, self._agent._link.listen(heard))
+        number = self._agent._link.listen(heard)
+        self._reports.append(number)
+        self._agent._link.do("feedback", self._number, number)
+
+    def _forget_reports(self) -> None:
+        for number in self._reports:
+            self._agent._link.cancel(number)
+        self._reports.clear()
+
+    def _end(self, value: R) -> None:
+        self._forget_reports()
+        super()._end(value)
+
+    def _fail(self, why: str, place: str) -> None:
+        self._forget_reports()
+        super()._fail(why, place)
 
 
 class Device:
@@ -100,7 +121,10 @@ class Device:
 
         def heard(words: Any, arrays: memoryview) -> None:
             del link.heard[number]
-            pending._end(decode(words, arrays))
+            if "error" in words:
+                pending._fail(words["error"], words["place"])
+            else:
+                pending._end(decode(words["value"], arrays))
 
         number = link.listen(heard)
         pending._number = number
@@ -203,7 +227,7 @@ class Localizer(Sensor[v.PoseEstimate]):
 
     def relocalize(self, belief: v.PoseEstimate) -> Pending[None]:
         """Start again from an estimate; ends when the next reading follows it."""
-        found: Pending[None] = self._later(Pending(), None, "relocalize", belief)
+        found: Pending[None] = self._later(Pending(self._agent._run), None, "relocalize", belief)
         return found
 
     @property
@@ -292,7 +316,7 @@ class Planner(Device):
     def plan(self, map_from_start: v.Pose2d, map_from_goal: v.Pose2d) -> Pending[v.PlannerFound | v.PlannerNoPath]:
         """Plan a path between two poses in the map frame."""
         found: Pending[v.PlannerFound | v.PlannerNoPath] = self._later(
-            Pending(), v.PlannerFound | v.PlannerNoPath, "plan", map_from_start, map_from_goal
+            Pending(self._agent._run), v.PlannerFound | v.PlannerNoPath, "plan", map_from_start, map_from_goal
         )
         return found
 
@@ -300,7 +324,9 @@ class Planner(Device):
         self, map_from_start: v.Pose2d, map_from_goals: list[v.Pose2d], near: float = float("inf")
     ) -> Pending[list[float]]:
         """Costs of the paths to several places, in their order [m]; ``inf`` where there is none."""
-        found: Pending[list[float]] = self._later(Pending(), list[float], "costs", map_from_start, map_from_goals, near)
+        found: Pending[list[float]] = self._later(
+            Pending(self._agent._run), list[float], "costs", map_from_start, map_from_goals, near
+        )
         return found
 
 
@@ -403,7 +429,7 @@ class PlaceFinder(Device):
     ) -> Pending[v.PlaceFinderFound | v.PlaceFinderNone]:
         """Find places in the map frame that a robot can reach, ``clearance`` [m] from all cells that are not free."""
         found: Pending[v.PlaceFinderFound | v.PlaceFinderNone] = self._later(
-            Pending(),
+            Pending(self._agent._run),
             v.PlaceFinderFound | v.PlaceFinderNone,
             "find",
             map_from_start,

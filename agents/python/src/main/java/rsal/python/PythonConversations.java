@@ -171,13 +171,25 @@ final class PythonConversations {
         });
     }
 
-    /// Less is better. Of equal ones the first by name is.
-    private static double rank(ContractNet.Proposal<Map> proposal, String criterion, boolean least) {
-        if (!(proposal.bid().get(criterion) instanceof Number number)) {
-            throw new IllegalArgumentException(
-                    "The bid of '%s' has no number '%s': %s.".formatted(proposal.from(), criterion, proposal.bid()));
+    /// By what a bid is chosen; NaN for none.
+    private static double rank(ContractNet.Proposal<Map> proposal, String criterion) {
+        return proposal.bid().get(criterion) instanceof Number number ? number.doubleValue() : Double.NaN;
+    }
+
+    /// Bids with a number to choose by, the best first. Of equal ones the first by name is. Others count as none.
+    private List<ContractNet.Proposal<Map>> ranked(
+            List<ContractNet.Proposal<Map>> bids, String criterion, boolean least) {
+        var usable = new ArrayList<ContractNet.Proposal<Map>>();
+        for (ContractNet.Proposal<Map> bid : bids) {
+            if (Double.isNaN(rank(bid, criterion))) {
+                self.print("The bid of '%s' has no number '%s', and is left out: %s"
+                        .formatted(bid.from(), criterion, bid.bid()));
+            } else {
+                usable.add(bid);
+            }
         }
-        return least ? number.doubleValue() : -number.doubleValue();
+        usable.sort(Comparator.comparingDouble(bid -> least ? rank(bid, criterion) : -rank(bid, criterion)));
+        return usable;
     }
 
     private void tender(PythonRequests.Request asked) {
@@ -191,8 +203,7 @@ final class PythonConversations {
                 .call(to, FromWords.map(orEmpty(asked.argument(2))), asked.seconds(4), new ContractNet.Manager<>() {
                     @Override
                     public ContractNet.Verdict<Map> decide(ContractNet.Round<Map> round) {
-                        List<Map<String, Object>> chosen = round.proposals().stream()
-                                .sorted(Comparator.comparingDouble(each -> rank(each, criterion, least)))
+                        List<Map<String, Object>> chosen = ranked(round.proposals(), criterion, least).stream()
                                 .limit(most)
                                 .map(each -> Map.<String, Object>of("sender", each.from(), "bid", each.bid()))
                                 .toList();

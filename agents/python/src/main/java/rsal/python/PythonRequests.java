@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -23,6 +24,7 @@ import rsal.device.GoalHandle;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.robot.Robot;
+import rsal.settings.OwnCode;
 
 /// Does what one agent in Python asks for. On the agent's lane.
 ///
@@ -52,6 +54,9 @@ final class PythonRequests implements PythonTurns.Peer {
         /// @param newest whether a later one of that number counts instead
         void hear(int number, boolean newest, @Nullable Object value);
     }
+
+    /// What Python has waited for.
+    private record Result(Optional<Object> value) {}
 
     /// What an agent hears of a topic.
     private record Said(String sender, String to, Instant time, Object content) {}
@@ -188,21 +193,29 @@ final class PythonRequests implements PythonTurns.Peer {
         switch (result.orElse("")) {
             case GoalHandle<?, ?> goal -> {
                 goals.put(number, goal);
-                later(number, goal.result());
+                later(asked, goal.result());
             }
-            case CompletionStage<?> stage -> later(number, stage);
+            case CompletionStage<?> stage -> later(asked, stage);
             default -> {} // Python does not wait for it
         }
     }
 
-    private void later(int number, CompletionStage<?> stage) {
+    private void later(Request asked, CompletionStage<?> stage) {
+        int number = asked.number(0);
         stage.whenComplete((value, error) -> self.scheduler().execute(() -> {
             goals.remove(number);
-            if (error != null) {
-                throw new IllegalStateException(String.valueOf(error.getMessage()), error);
-            }
-            heard.hear(number, false, value);
+            heard.hear(
+                    number,
+                    false,
+                    error == null
+                            ? new Result(Optional.ofNullable(value))
+                            : Map.of("error", words(error), "place", asked.place()));
         }));
+    }
+
+    private static String words(Throwable error) {
+        return OwnCode.words(
+                error instanceof CompletionException && error.getCause() != null ? error.getCause() : error);
     }
 
     private Optional<GoalHandle<?, ?>> goal(int number) {
