@@ -24,7 +24,10 @@ import rsal.agent.message.PoseReport;
 import rsal.agent.platform.AgentPlatform;
 import rsal.agent.platform.PlainHost;
 import rsal.agent.protocol.ContractNet;
+import rsal.agent.protocol.Conversation;
+import rsal.agent.protocol.Propose;
 import rsal.agent.protocol.Request;
+import rsal.agent.protocol.Subscribe;
 import rsal.behavior.PilotDriver;
 import rsal.data.Point2d;
 import rsal.data.Pose2d;
@@ -320,6 +323,82 @@ class PythonAgentIT extends RobotBench {
         assertThat(lines)
                 .containsExactly(
                         "java {'cost': 3} {'by': 'java'}", "al {'cost': 2} {'by': 'al', 'at': 1.0}", "java", "[]");
+    }
+
+    @Test
+    void proposalsGoBothWays() {
+        start("java", self -> {
+            var swap = new Propose<>(self, "swap", Map.class);
+            swap.answer(offer -> offer.what().get("goal").equals(1)
+                    ? Propose.Verdict.accept()
+                    : Propose.Verdict.reject("not that one"));
+            self.scheduler().after(Duration.ofSeconds(1), () -> {
+                for (int goal = 1; goal <= 3; goal++) {
+                    swap.propose("amy", Map.of("goal", goal), ending -> self.print(ending.toString()));
+                }
+            });
+        });
+        start("amy", """
+                async def on_start(self):
+                    self.judge("swap", self.decide)
+                    print((await self.propose("java", "swap", {"goal": 1})).informed)
+                    print(await self.propose("java", "swap", {"goal": 2}))
+                    print((await self.propose("nobody", "swap", {})).how)
+                async def decide(self, question):
+                    await self.sleep(0.5)
+                    if question.content["goal"] == 3:
+                        raise Refusal("busy")
+                    return question.content["goal"] == 1
+                """);
+        advance(10);
+        assertThat(lines)
+                .containsExactlyInAnyOrder(
+                        "True",
+                        "Result(how='refused', content={}, why='not that one')",
+                        "silent",
+                        "Informed[result=]",
+                        "Refused[why=]",
+                        "Refused[why=busy]");
+    }
+
+    @Test
+    void newsGoBothWays() {
+        start("java", self -> {
+            var prices = new Subscribe<>(self, "prices", Map.class, Map.class);
+            prices.answer(subscriber -> {
+                subscriber.inform(Map.of("n", 1));
+                subscriber.inform(Map.of("n", 2));
+                self.scheduler().after(Duration.ofSeconds(1), () -> subscriber.fail("sold out"));
+            });
+            var ticks = new Subscribe<>(self, "ticks", Map.class, Map.class);
+            self.scheduler().after(Duration.ofSeconds(2), () -> {
+                ticks.subscribe("amy", Map.of("who", "no"), news -> {}, ending -> self.print(ending.toString()));
+                Conversation talk = ticks.subscribe(
+                        "amy",
+                        Map.of("who", "yes"),
+                        news -> self.print(news.toString()),
+                        ending -> self.print(ending.toString()));
+                self.scheduler().after(Duration.ofMillis(2500), talk::cancel);
+            });
+        });
+        start("amy", """
+                def on_start(self):
+                    self.follow("java", "prices", {}, lambda news: print(news["n"]), on_end=lambda end: print(end.how, end.why))
+                    self.admit("ticks", self.tell)
+                async def tell(self, subscriber):
+                    if subscriber.content["who"] == "no":
+                        return self.turn_down(subscriber)
+                    subscriber.on_end(lambda: print(subscriber.sender, "went"))
+                    while not subscriber.gone:
+                        await self.sleep(1.0)
+                        subscriber.inform({"at": self.time})
+                def turn_down(self, subscriber):
+                    subscriber.fail("not you")
+                """);
+        advance(8);
+        assertThat(lines)
+                .containsExactly(
+                        "1", "2", "failed sold out", "Failed[why=not you]", "{at=3.0}", "{at=4.0}", "Cancelled[]", "java went");
     }
 
     @Test
