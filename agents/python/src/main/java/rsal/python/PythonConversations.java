@@ -23,7 +23,8 @@ import rsal.agent.protocol.Subscribe;
 import rsal.device.Subscription;
 import rsal.python.PythonRequests.Heard;
 
-/// The conversations of an agent in Python: requests, contract nets, proposals and subscriptions, about maps. On the agent's lane.
+/// The conversations of an agent in Python: requests, contract nets, proposals and subscriptions, about maps. On the
+/// agent's lane.
 @SuppressWarnings("rawtypes") // the contents of a conversation are told by a class, which has no parameters
 final class PythonConversations {
     private final AgentContext self;
@@ -136,9 +137,7 @@ final class PythonConversations {
             int dialogue = dialogue((verb, content) -> proposal.decide(
                     verb.equals("inform") ? Propose.Verdict.accept() : Propose.Verdict.reject(content.toString())));
             heard.hear(
-                    number,
-                    false,
-                    Map.of("sender", proposal.from(), "content", proposal.what(), "dialogue", dialogue));
+                    number, false, Map.of("sender", proposal.from(), "content", proposal.what(), "dialogue", dialogue));
         });
     }
 

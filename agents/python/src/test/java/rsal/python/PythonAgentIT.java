@@ -2,6 +2,7 @@ package rsal.python;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -10,6 +11,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -17,11 +19,13 @@ import rsal.agent.Agent;
 import rsal.agent.AgentSpec;
 import rsal.agent.AgentType;
 import rsal.agent.Message;
+import rsal.agent.OutsideCode;
 import rsal.agent.Topic;
 import rsal.agent.bdi.Mind;
 import rsal.agent.board.TeamBoard;
 import rsal.agent.message.PoseReport;
 import rsal.agent.platform.AgentPlatform;
+import rsal.agent.platform.AgentTurns;
 import rsal.agent.platform.PlainHost;
 import rsal.agent.protocol.ContractNet;
 import rsal.agent.protocol.Conversation;
@@ -49,6 +53,7 @@ class PythonAgentIT extends RobotBench {
     private final List<String> lines = new ArrayList<>(); // printed
     private final List<Message<?>> said = new ArrayList<>();
     private final Map<String, Double> metrics = new HashMap<>();
+    private final AgentTurns turns = new AgentTurns();
     private AgentPlatform platform;
 
     @Override
@@ -63,12 +68,13 @@ class PythonAgentIT extends RobotBench {
 
     @Override
     protected List<DeviceDriver> drivers() {
-        return List.of(new PilotDriver(), new FakeLocalizer.Driver(), new FakeNavigator.Driver(), new FakePlanner.Driver());
+        return List.of(
+                new PilotDriver(), new FakeLocalizer.Driver(), new FakeNavigator.Driver(), new FakePlanner.Driver());
     }
 
     @BeforeEach
     void gather() {
-        platform = new AgentPlatform(run, new PlainHost(run), system().simulation());
+        platform = new AgentPlatform(run, new PlainHost(run), system().simulation(), turns);
         platform.onMessage(said::add);
         platform.onPrint(print -> lines.add(print.line()));
         platform.onMetric(metric -> metrics.put(metric.name(), metric.value()));
@@ -398,7 +404,14 @@ class PythonAgentIT extends RobotBench {
         advance(8);
         assertThat(lines)
                 .containsExactly(
-                        "1", "2", "failed sold out", "Failed[why=not you]", "{at=3.0}", "{at=4.0}", "Cancelled[]", "java went");
+                        "1",
+                        "2",
+                        "failed sold out",
+                        "Failed[why=not you]",
+                        "{at=3.0}",
+                        "{at=4.0}",
+                        "Cancelled[]",
+                        "java went");
     }
 
     @Test
@@ -511,9 +524,7 @@ class PythonAgentIT extends RobotBench {
         Path site = Path.of(OfficialPython.run("import site; print(site.getsitepackages()[0])")
                 .strip());
         Path module = Files.createDirectories(site.resolve("rsal_tested")).resolve("agents.py");
-        Files.writeString(
-                module,
-                """
+        Files.writeString(module, """
                 import rsal
                 from . import agents as itself
                 class Guard(rsal.Agent):
@@ -577,6 +588,93 @@ class PythonAgentIT extends RobotBench {
         assertThat(view("bob").state()).startsWith("bob.py:16 in tick: LookupError: Agent 'bob' has no robot.");
         assertThat(view("eve").state()).startsWith("eve.py:18 in tick: A metric has a name");
         assertThat(view("sue").state()).isEqualTo("sue.py:20 in tick: SystemExit: 3");
+    }
+
+    @Test
+    void turnsOfOneInstantAreOneAfterTheOtherWhateverHappensInThem() {
+        String body = """
+                def on_start(self):
+                    self.subscribe(BIDS, self.on_bid)
+                    self.after(1.0, self.first)
+                    self.after(1.0, self.second)
+                    self.after(2.0, self.first)
+                def first(self):
+                    if self.name == "bob" and self.time > 1.5:
+                        raise KeyError("gone")
+                    print(self.name, "first", [each.name for each in self.agents()])
+                    self.publish(BIDS, {"of": self.name})
+                def second(self):
+                    print(self.name, "second")
+                def on_bid(self, message):
+                    print(self.name, "hears", message.content["of"])
+                    if self.name == "amy" and self.time > 1.5:
+                        self.metric("", 1.0)
+                """;
+        start("amy", body);
+        start("bob", body);
+        start("cleo", body);
+        advance(1.5);
+        assertThat(lines)
+                .containsExactly(
+                        "amy first ['amy', 'bob', 'cleo']",
+                        "amy second",
+                        "bob first ['amy', 'bob', 'cleo']",
+                        "bob second",
+                        "cleo first ['amy', 'bob', 'cleo']",
+                        "cleo second",
+                        "bob hears amy",
+                        "bob hears cleo",
+                        "cleo hears amy",
+                        "cleo hears bob",
+                        "amy hears bob",
+                        "amy hears cleo");
+        lines.clear();
+        advance(1);
+        assertThat(view("bob").state()).endsWith("KeyError: 'gone'");
+        assertThat(view("amy").state()).contains("A metric has a name");
+        assertThat(lines).contains("cleo first ['amy', 'cleo']", "cleo hears amy");
+        platform.stop("cleo");
+        assertThat(platform.directory().agents()).isEmpty();
+    }
+
+    @Test
+    void anEndlessLoopIsNamed() throws Exception {
+        Path end = Files.createTempFile("end", "");
+        String body = """
+                def on_start(self):
+                    self.after(1.0, self.tick)
+                def tick(self):
+                    if self.name == "bob":
+                        self.spin()
+                    print(self.name)
+                def spin(self):
+                    import os
+                    while os.path.exists('%s'):
+                        pass
+                """.formatted(end.toString().replace('\\', '/'));
+        start("amy", body);
+        start("bob", body);
+        Thread running = Thread.currentThread();
+        var seen = new ArrayList<String>();
+        Thread looker = Thread.ofPlatform().start(() -> {
+            try {
+                for (int i = 0; i < 1000 && seen.isEmpty(); i++) {
+                    TimeUnit.MILLISECONDS.sleep(10);
+                    for (String name : List.of("bob", "amy")) {
+                        turns.outside(name).flatMap(OutsideCode::place).ifPresent(seen::add);
+                    }
+                }
+                Files.delete(end);
+            } catch (IOException | InterruptedException e) {
+                running.interrupt();
+            }
+        });
+        advance(2);
+        looker.join();
+        assertThat(lines).containsExactly("amy", "bob");
+        assertThat(seen).hasSize(2);
+        assertThat(seen.getFirst()).matches("bob.py:1[789] in spin");
+        assertThat(seen.getLast()).matches("bob.py:1[789] in spin of agent 'bob'");
     }
 
     @Test
