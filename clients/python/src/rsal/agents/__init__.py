@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from rsal.agents.agent import Agent, Blackboard, Entry, Message, Mind, Note
     from rsal.agents.boards import BoardEvent, BoardNote, BoardWatch, Found, TeamBoard
-    from rsal.agents.conversations import Award, Call, Question, Refusal, Result
+    from rsal.agents.conversations import Award, Call, Question, Refusal, Result, Subscriber
     from rsal.agents.devices import Device, Goal, Percept, Robot, Stamped, Subscription
     from rsal.agents.param import Param
     from rsal.agents.topics import Topic
@@ -33,6 +33,7 @@ _MODULES = {
     "Question": "conversations",
     "Refusal": "conversations",
     "Result": "conversations",
+    "Subscriber": "conversations",
     "Device": "devices",
     "Goal": "devices",
     "Percept": "devices",
@@ -73,6 +74,7 @@ __all__ = [
     "Robot",
     "RsalError",
     "Stamped",
+    "Subscriber",
     "Subscription",
     "TeamBoard",
     "Topic",

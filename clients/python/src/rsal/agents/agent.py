@@ -357,6 +357,43 @@ class Agent:
         """
         talk.bid(self, service, propose, perform)
 
+    def propose(self, to: str, service: str, proposal: dict[str, Any], silence: float = 5.0) -> Pending[talk.Result]:
+        """Propose to do something (FIPA Propose): ``result = await self.propose("amy", "swap", {"goal": 3})``.
+
+        The result is informed when the proposal was accepted, and refused with the reason when it was rejected.
+        """
+        return talk.propose(self, to, service, proposal, silence)
+
+    def judge(self, service: str, method: Callable[[talk.Question], object]) -> None:
+        """Decide about proposals: the method returns whether it accepts. It may be ``async``, and raise a refusal."""
+        talk.judge(self, service, method)
+
+    def follow(
+        self,
+        to: str,
+        service: str,
+        question: dict[str, Any],
+        on_news: Callable[[dict[str, Any]], object],
+        *,
+        on_end: Callable[[talk.Result], object] | None = None,
+        silence: float = 5.0,
+    ) -> Subscription:
+        """Want news of one agent (FIPA Subscribe). Each comes once and in order, also when messages get lost.
+
+        For what all may hear, and of what only the newest counts, there are topics: :meth:`subscribe`.
+
+        :param on_news: is called with each, a dict
+        :param on_end: is called once when no more will come
+        """
+        return Subscription(self, talk.follow(self, to, service, question, on_news, on_end=on_end, silence=silence))
+
+    def admit(self, service: str, method: Callable[[talk.Subscriber], object]) -> None:
+        """Give news to others: the method is called with each subscriber, whom it tells now or later.
+
+        It raises a refusal for one that gets none.
+        """
+        talk.admit(self, service, method)
+
     # For people
 
     def state(self, words: str) -> None:

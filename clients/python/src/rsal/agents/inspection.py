@@ -59,8 +59,41 @@ def inspect(text: str, name: str, wanted: str) -> dict[str, Any]:
         "description": doc.split("\n\n")[0].replace("\n", " "),
         "parameters": list(parameters.values()),
         "needs": needs,
+        "warnings": _warnings(tree),
         "problems": [],
     }
+
+
+BLOCKING = {
+    "asyncio.run": "Start a coroutine by 'self.spawn(…)'; it waits for goals, requests and 'self.sleep(…)'.",
+    "asyncio.sleep": "Write 'await self.sleep(seconds)', which has the time of the run.",
+    "input": "Let people send messages: 'self.subscribe(Text, …)'.",
+    "time.sleep": "Write 'await self.sleep(seconds)', or 'self.after(seconds, …)', which have the time of the run.",
+}
+"""Functions that no agent should call, and what to write."""
+
+
+def _warnings(tree: ast.Module) -> list[dict[str, Any]]:
+    """Return calls for which the run, or all agents in Python, would wait."""
+    names = {"input": "input"}  # by what they are called in the file
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names.update({each.asname or each.name: each.name for each in node.names})
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            names.update({each.asname or each.name: f"{node.module}.{each.name}" for each in node.names})
+    found = []
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.Call):
+            continue
+        called = node.func
+        if isinstance(called, ast.Attribute) and isinstance(called.value, ast.Name):
+            name = f"{names.get(called.value.id, '')}.{called.attr}"
+        else:
+            name = names.get(called.id, "") if isinstance(called, ast.Name) else ""
+        if name in BLOCKING:
+            message = f"'{name}' makes the run wait, or all agents in Python in real time."
+            found.append(problem(node.lineno, node.col_offset + 1, message, BLOCKING[name]))
+    return sorted(found, key=lambda each: (each["line"], each["column"]))
 
 
 def _classes(tree: ast.Module) -> dict[str, ast.ClassDef]:

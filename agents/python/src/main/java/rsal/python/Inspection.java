@@ -74,11 +74,10 @@ final class Inspection {
         try {
             process = Interpreter.start("inspection");
             var frames = new FramePipe(process.getInputStream(), process.getOutputStream());
-            frames.write(to ->
-                    to.put("path", asked.path)
-                            .put("module", asked.module)
-                            .put("class", asked.className)
-                            .put("text", asked.text));
+            frames.write(to -> to.put("path", asked.path)
+                    .put("module", asked.module)
+                    .put("class", asked.className)
+                    .put("text", asked.text));
             Map<?, ?> found = frames.read();
             process.getOutputStream().close();
             process.waitFor(PATIENCE, TimeUnit.SECONDS);

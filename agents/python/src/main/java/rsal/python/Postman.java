@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Queue;
 import java.util.SequencedMap;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /// Brings events to Python in real time, on a thread of its own, so that the run never waits. Each agent has a queue;
@@ -16,7 +17,15 @@ final class Postman {
     /// An event of an agent on its way.
     ///
     /// @param newest whether a later one of the same number takes its place
-    record Letter(int number, boolean newest, Runnable bring) {}
+    /// @param since when the agent has waited for it, or for one whose place it took
+    /// @param bring told that time
+    record Letter(int number, boolean newest, Instant since, Consumer<Instant> bring) {
+        Letter inPlaceOf(Letter before) {
+            return new Letter(number, newest, before.since, bring);
+        }
+    }
+
+    private static final Letter NOTHING = new Letter(0, false, Instant.EPOCH, _ -> {});
 
     private final PythonWorker worker;
     private final Map<Integer, SequencedMap<Object, Letter>> waiting = new HashMap<>(); // by agent; guarded by this
@@ -33,7 +42,10 @@ final class Postman {
         if (own.isEmpty()) {
             turns.add(agent);
         }
-        own.put(letter.newest ? (Object) letter.number : new Object(), letter);
+        own.merge(
+                letter.newest ? (Object) letter.number : new Object(),
+                letter,
+                (before, later) -> later.inPlaceOf(before));
         notifyAll();
     }
 
@@ -41,7 +53,7 @@ final class Postman {
     synchronized void forget(int agent, Instant now) {
         waiting.remove(agent);
         turns.remove(agent);
-        post(agent, new Letter(0, false, () -> {
+        post(agent, new Letter(0, false, now, _ -> {
             worker.turns().endNow(agent, now);
             drop(agent);
         }));
@@ -60,7 +72,7 @@ final class Postman {
     private void work() {
         try {
             for (Letter letter = take(); letter != null; letter = take()) {
-                letter.bring.run();
+                letter.bring.accept(letter.since);
             }
         } finally {
             worker.hangUp();
@@ -85,6 +97,6 @@ final class Postman {
         if (!own.isEmpty()) {
             turns.add(agent);
         }
-        return first == null ? new Letter(0, false, () -> {}) : first.getValue();
+        return first == null ? NOTHING : first.getValue();
     }
 }

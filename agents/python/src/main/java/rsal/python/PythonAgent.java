@@ -38,6 +38,7 @@ final class PythonAgent implements Agent {
             PythonWorker worker,
             int number,
             PythonRequests requests,
+            Lateness lateness,
             CompletableFuture<Void> ended) {
         Instant now() {
             return self.scheduler().instant();
@@ -55,7 +56,8 @@ final class PythonAgent implements Agent {
         PythonWorker worker = PythonWorker.enter(self.scheduler().run());
         var requests = new PythonRequests(self, this::deliver);
         int number = worker.number(self.name());
-        var own = new Life(self, worker, number, requests, new CompletableFuture<>());
+        var own =
+                new Life(self, worker, number, requests, new Lateness(self, worker, number), new CompletableFuture<>());
         life = own;
         self.atEnd(() -> end(own));
         self.outside(new OutsideCode() {
@@ -182,19 +184,26 @@ final class PythonAgent implements Agent {
     }
 
     private static void post(Life own, int number, boolean newest, Consumer<PythonTurns> turn) {
-        Runnable bring = () -> {
+        Instant posted = own.now();
+        own.lateness.posted(posted);
+        Consumer<Instant> bring = since -> {
             if (own.ended.isDone()) {
                 return;
             }
+            Instant now = own.now();
+            own.lateness.brought(since, now);
+            own.worker.begin(now);
             try {
                 turn.accept(own.worker.turns());
             } catch (RuntimeException e) {
                 own.self.scheduler().execute(() -> {
                     throw e;
                 });
+            } finally {
+                own.worker.end();
             }
         };
-        own.worker.postman().orElseThrow().post(own.number, new Postman.Letter(number, newest, bring));
+        own.worker.postman().orElseThrow().post(own.number, new Postman.Letter(number, newest, posted, bring));
     }
 
     /// What Python asks for in real time, on the thread that waits for it: it is done on the agent's lane.

@@ -37,7 +37,8 @@ final class PythonBoards {
         switch (asked.verb()) {
             case "board" -> {
                 int number = asked.number(1);
-                boards.put(asked.text(0), new TeamBoard(self, asked.text(0), event -> heard.hear(number, false, event)));
+                boards.put(
+                        asked.text(0), new TeamBoard(self, asked.text(0), event -> heard.hear(number, false, event)));
             }
             case "keepBoard" -> new BoardKeeper(self, asked.text(0), BoardKeeper.Limits.DEFAULT).begin();
             case "writeBoard" -> write(board(asked), PythonRequests.topic(asked.text(1)), asked);
@@ -64,8 +65,7 @@ final class PythonBoards {
 
     private static Query<?> query(PythonRequests.Request asked) {
         Map<?, ?> wanted = FromWords.map(asked.argument(2));
-        Query<?> query = Query.of(PythonRequests.topic(asked.text(1)))
-                .newest(FromWords.integer(wanted.get("newest")));
+        Query<?> query = Query.of(PythonRequests.topic(asked.text(1))).newest(FromWords.integer(wanted.get("newest")));
         if (wanted.get("name") instanceof String name && !name.isEmpty()) {
             query = query.named(name);
         }
@@ -74,9 +74,8 @@ final class PythonBoards {
         }
         return wanted.get("near") == null
                 ? query
-                : query.within(
-                        FromWords.number(wanted.get("distance")),
-                        (Point2d) FromWords.value(wanted.get("near"), Point2d.class));
+                : query.within(FromWords.number(wanted.get("distance")), (Point2d)
+                        FromWords.value(wanted.get("near"), Point2d.class));
     }
 
     private <M> void ask(int number, TeamBoard board, Query<M> query) {
@@ -91,8 +90,7 @@ final class PythonBoards {
 
             @Override
             public void run() {
-                watch.ifPresent(
-                        of -> heard.hear(number, true, words(of.notes(), 0, of.isCurrent())));
+                watch.ifPresent(of -> heard.hear(number, true, words(of.notes(), 0, of.isCurrent())));
             }
         };
         BoardWatch<M> watch = board.watch(query, told);

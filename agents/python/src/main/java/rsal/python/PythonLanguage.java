@@ -7,7 +7,8 @@ import rsal.agent.RunPreparation;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 
-/// Python, in files of people's own: `hunter.py`, or `hunter.py:Hunter` where a file has several agents; or in a package
+/// Python, in files of people's own: `hunter.py`, or `hunter.py:Hunter` where a file has several agents; or in a
+/// package
 /// that is installed: `python:package.module:Hunter`. What there is to know of an agent before a run is read from the
 /// text of its file, which is run only when a run begins.
 public final class PythonLanguage implements AgentLanguage {

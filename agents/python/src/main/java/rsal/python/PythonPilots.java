@@ -51,8 +51,8 @@ final class PythonPilots {
 
     private static Subsumption known(String name, Robot robot) {
         return Repertoire.stack(name, robot.model())
-                .orElseThrow(() -> new IllegalArgumentException("There is no behavior '%s'. %s"
-                        .formatted(name, Suggestion.among(name, Repertoire.names()))));
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "There is no behavior '%s'. %s".formatted(name, Suggestion.among(name, Repertoire.names()))));
     }
 
     private Subsumption written(int number, String name, Robot robot) {

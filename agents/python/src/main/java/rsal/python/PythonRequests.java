@@ -67,7 +67,7 @@ final class PythonRequests implements PythonTurns.Peer {
         this.robot = self.robot();
         this.simulation = self.simulation();
         this.seed = self.random().nextLong() >>> 1; // Python's are not negative
-        this.conversations = new PythonConversations(self, heard);
+        this.conversations = new PythonConversations(self, heard, held);
         this.mind = new PythonMind(self);
         this.boards = new PythonBoards(self, heard, held);
         this.pilots = new PythonPilots(self, heard);

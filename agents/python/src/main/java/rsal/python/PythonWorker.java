@@ -1,5 +1,6 @@
 package rsal.python;
 
+import java.time.Instant;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -20,6 +21,7 @@ final class PythonWorker {
     private final PythonProcess process;
     private final PythonTurns turns;
     private final Optional<Postman> postman;
+    private volatile Optional<Instant> turnBegan = Optional.empty();
     private int agents; // that live in it; guarded by BY_RUN
     private final Map<Integer, String> names = new HashMap<>(); // of all that ever did, by number; guarded by BY_RUN
 
@@ -80,6 +82,20 @@ final class PythonWorker {
     /// What brings events in real time; empty in simulated time.
     Optional<Postman> postman() {
         return postman;
+    }
+
+    /// In real time, an event is brought now.
+    void begin(Instant now) {
+        turnBegan = Optional.of(now);
+    }
+
+    void end() {
+        turnBegan = Optional.empty();
+    }
+
+    /// When the event was brought that Python deals with now; empty for none. May be asked on any thread.
+    Optional<Instant> turnBegan() {
+        return turnBegan;
     }
 
     /// Python gets no more events: its process ends.

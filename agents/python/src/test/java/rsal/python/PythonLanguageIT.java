@@ -84,6 +84,28 @@ class PythonLanguageIT {
     }
 
     @Test
+    void callsThatMakeTheRunWaitAreWarnedOf() {
+        AgentType type = Texts.type("""
+                import asyncio as aio, time
+                from time import sleep as rest
+                import rsal
+                class A(rsal.Agent):
+                    def on_start(self):
+                        time.sleep(1)
+                        rest(2)
+                        aio.run(self.go())
+                        name = input("who?")
+                        self.sleep(3)
+                        time.time()
+                """);
+        assertThat(type.warnings())
+                .extracting(problem ->
+                        problem.location().line() + " " + problem.message().split(" ")[0])
+                .containsExactly("6 'time.sleep'", "7 'time.sleep'", "8 'asyncio.run'", "9 'input'");
+        assertThat(type.warnings().getFirst().toString()).contains("a.py:6:9", "await self.sleep(seconds)");
+    }
+
+    @Test
     void oneOfSeveralAgentsIsNamed() {
         String text = """
                 import rsal

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -87,8 +88,45 @@ class PythonRealTimeIT {
                 1)));
         await(() -> beats.get() >= 50);
         assertThat(lines).containsExactly("slow: ready"); // it sleeps, and the run goes on
-        await(() -> lines.size() > 1);
-        assertThat(lines).containsExactly("slow: ready", "slow: True True slow");
+        await(() -> lines.stream().anyMatch(line -> line.endsWith(" slow")));
+        assertThat(lines).contains("slow: True True slow");
+    }
+
+    @Test
+    void latenessIsAMetricAndAnEvent() throws InterruptedException {
+        var worst = new AtomicReference<>(0.0);
+        run.exclusively(() -> platform.onMetric(metric -> worst.accumulateAndGet(metric.value(), Math::max)));
+        start("slow", """
+                def on_start(self):
+                    self.every(0.02, self.tick)
+                    self.after(0.1, time.sleep, 0.8)
+                def tick(self):
+                    pass
+                """);
+        await(() -> !lines.isEmpty());
+        assertThat(lines.getFirst()).matches("slow: is late: what happens waits up to [01]\\.\\d s for Python");
+        assertThat(worst.get()).isBetween(0.7, 1.9);
+    }
+
+    @Test
+    void onesThatWaitForACallThatDoesNotReturnSayWhereThatIs() throws InterruptedException {
+        start("slow", """
+                def on_start(self):
+                    self.after(0.1, self.rest)
+                def rest(self):
+                    for _ in range(300):
+                        time.sleep(0.01)
+                """);
+        start("bob", """
+                def on_start(self):
+                    self.every(0.05, self.tick)
+                def tick(self):
+                    pass
+                """);
+        await(() -> !lines.isEmpty());
+        assertThat(lines.getFirst())
+                .matches(
+                        "bob: waits: Python has not returned for 2\\.\\d s; it is at slow.py:[89] in rest of agent 'slow'");
     }
 
     @Test
