@@ -197,7 +197,7 @@ def bid(
 
 def propose(agent: Agent, to: str, service: str, proposal: dict[str, Any], silence: float) -> Pending[Result]:
     """Begin a FIPA Propose; see :meth:`Agent.propose`."""
-    pending: Pending[Result] = Pending()
+    pending: Pending[Result] = Pending(agent._run)
     link = agent._link
 
     def heard(words: Any, _arrays: memoryview) -> None:

@@ -14,6 +14,9 @@ from rsal.protocol import Frames
 KINDS = {"float": "NUMBER", "int": "INTEGER", "str": "TEXT", "bool": "FLAG"}
 KEYWORDS = ["min", "max", "unit", "choices", "robots", "description"]
 
+TAKEN = frozenset({*sys.stdlib_module_names, "rsal", "numpy"})
+"""Names of modules that are loaded when an agent begins, or that these load."""
+
 
 class _InvalidFileError(Exception):
     def __init__(self, node: ast.AST, message: str, remedy: str = "") -> None:
@@ -285,12 +288,17 @@ def installed(module: str) -> tuple[str, str]:
 def answer(words: dict[str, Any]) -> dict[str, Any]:
     """Return what the file of a question says of its agent."""
     if not words["module"]:
+        for file in words["files"]:
+            name = file.split("/")[0].removesuffix(".py")
+            if name in TAKEN:
+                message = f"A module of an agent cannot be called '{name}': Python has one of that name."
+                return {"problems": [problem(1, 1, message, f"Give '{file}' another name.")]}
         return inspect(words["text"], words["path"], words["class"])
     try:
         path, text = installed(words["module"])
-    except LookupError as mistake:
+    except LookupError as error:
         remedy = "Install the package for that Python, or name another one by RSAL_PYTHON=/path/to/python3."
-        return {"problems": [problem(1, 1, str(mistake), remedy)]}
+        return {"problems": [problem(1, 1, str(error), remedy)]}
     return {**inspect(text, path, words["class"]), "file": path}
 
 

@@ -3,12 +3,12 @@ package rsal.python;
 import java.io.EOFException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.SequencedMap;
-import java.util.concurrent.TimeUnit;
-import org.jspecify.annotations.Nullable;
 import rsal.frame.FramePipe;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -20,11 +20,12 @@ import rsal.settings.Problems;
 /// process of Python takes a tenth of a second. Safe for any thread.
 final class Inspection {
     private static final int MOST_KNOWN = 64;
-    private static final int PATIENCE = 20; // s; of a process that is told to end
+    private static final Duration PATIENCE = Duration.ofSeconds(30);
     private static final SequencedMap<Asked, Map<?, ?>> KNOWN = new LinkedHashMap<>();
 
     /// @param module of an installed one; empty of a file
-    private record Asked(String path, String module, String className, String text) {}
+    /// @param files all, as they are named in their folder
+    private record Asked(String path, String module, String className, String text, List<String> files) {}
 
     private Inspection() {}
 
@@ -37,7 +38,8 @@ final class Inspection {
                         sources.path(),
                         sources.isInstalled() ? sources.module() : "",
                         sources.className(),
-                        sources.text()),
+                        sources.text(),
+                        sources.files()),
                 askedAt);
         var problems = new Problems();
         for (Object each : FromWords.list(found.get("problems"))) {
@@ -57,7 +59,13 @@ final class Inspection {
     private static Map<?, ?> known(Asked asked, Location askedAt) {
         synchronized (KNOWN) {
             Map<?, ?> known = KNOWN.get(asked);
-            Map<?, ?> found = known == null ? ask(asked, askedAt) : known;
+            if (known != null) {
+                KNOWN.putLast(asked, known);
+                return known;
+            }
+        }
+        Map<?, ?> found = ask(asked, askedAt); // not on the lock: it takes a tenth of a second, or hangs
+        synchronized (KNOWN) {
             boolean needsAnother = found.get("class") == null; // packages may be installed, and errors repaired
             if (!needsAnother && asked.module.isEmpty()) { // a package may be changed where it is installed
                 KNOWN.putLast(asked, found);
@@ -65,44 +73,44 @@ final class Inspection {
             if (KNOWN.size() > MOST_KNOWN) {
                 KNOWN.pollFirstEntry();
             }
-            return found;
         }
+        return found;
     }
 
     private static Map<?, ?> ask(Asked asked, Location askedAt) {
-        Process process = null;
+        Process process;
         try {
             process = Interpreter.start("inspection");
+        } catch (IOException e) {
+            throw unusable(askedAt, asked.path, String.valueOf(e.getMessage()));
+        }
+        try (var time = AnswerTime.of(process, PATIENCE)) {
+            return ask(asked, askedAt, process, time);
+        } finally {
+            process.destroyForcibly();
+        }
+    }
+
+    private static Map<?, ?> ask(Asked asked, Location askedAt, Process process, AnswerTime time) {
+        try {
             var frames = new FramePipe(process.getInputStream(), process.getOutputStream());
             frames.write(to -> to.put("path", asked.path)
                     .put("module", asked.module)
                     .put("class", asked.className)
-                    .put("text", asked.text));
-            Map<?, ?> found = frames.read();
-            process.getOutputStream().close();
-            process.waitFor(PATIENCE, TimeUnit.SECONDS);
-            return found;
-        } catch (EOFException _) {
-            throw unusable(askedAt, asked.path, words(process));
+                    .put("text", asked.text)
+                    .put("files", asked.files));
+            return frames.read();
         } catch (IOException e) {
-            throw unusable(askedAt, asked.path, String.valueOf(e.getMessage()));
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw unusable(askedAt, asked.path, "it was interrupted");
-        } finally {
-            if (process != null) {
-                process.destroyForcibly();
-            }
+            String why = e instanceof EOFException ? words(process) : String.valueOf(e.getMessage());
+            throw unusable(askedAt, asked.path, time.isOver() ? time.words() : why);
         }
     }
 
-    private static String words(@Nullable Process process) {
+    private static String words(Process process) {
         try {
-            return process == null
-                    ? ""
-                    : new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8)
-                            .lines()
-                            .reduce("it ended", (_, last) -> last);
+            return new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8)
+                    .lines()
+                    .reduce("it ended", (_, last) -> last);
         } catch (IOException e) {
             return String.valueOf(e.getMessage());
         }

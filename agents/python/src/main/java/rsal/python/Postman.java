@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 
 /// Brings events to Python in real time, on a thread of its own, so that the run never waits. Each agent has a queue;
 /// agents with events have their turns one after the other. Of a device's readings only the newest waits; everything
-/// else is kept.
+/// else is kept, as far as there is room.
 final class Postman {
     /// An event of an agent on its way.
     ///
@@ -25,6 +25,7 @@ final class Postman {
         }
     }
 
+    private static final int MOST = 10_000; // that wait for an agent
     private static final Letter NOTHING = new Letter(0, false, Instant.EPOCH, _ -> {});
 
     private final PythonWorker worker;
@@ -37,10 +38,16 @@ final class Postman {
         Thread.ofPlatform().daemon().name("python-io").start(this::work);
     }
 
+    /// @throws IllegalStateException when too many wait for the agent, by which it ends
     synchronized void post(int agent, Letter letter) {
         SequencedMap<Object, Letter> own = waiting.computeIfAbsent(agent, _ -> new LinkedHashMap<>());
         if (own.isEmpty()) {
             turns.add(agent);
+        }
+        if (own.size() >= MOST) {
+            throw new IllegalStateException(
+                    "More than %d events wait for it: it is too slow for what happens. Maybe subscribe with 'at_most_every'."
+                            .formatted(MOST));
         }
         own.merge(
                 letter.newest ? (Object) letter.number : new Object(),

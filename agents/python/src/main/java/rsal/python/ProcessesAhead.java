@@ -15,6 +15,7 @@ import rsal.agent.RunPreparation;
 final class ProcessesAhead {
     private static final List<Many> PREPARED = new ArrayList<>(); // guarded by the class
     private static final Deque<PythonProcess> READY = new ArrayDeque<>(); // guarded by the class
+    private static int begun; // processes that are being started; guarded by the class
 
     /// Runs that are to come.
     private static final class Many implements RunPreparation {
@@ -55,30 +56,52 @@ final class ProcessesAhead {
     /// One for a run: a process that was started ahead, or a new one.
     ///
     /// @throws PythonFailure when there is no Python that could be started
-    static synchronized PythonProcess take() {
+    static PythonProcess take() {
+        return poll().filter(PythonProcess::isAlive).orElseGet(PythonProcess::new);
+    }
+
+    private static synchronized Optional<PythonProcess> poll() {
         if (!PREPARED.isEmpty()) {
             PREPARED.getFirst().left--;
         }
-        return Optional.ofNullable(READY.pollFirst())
-                .filter(PythonProcess::isAlive)
-                .orElseGet(PythonProcess::new);
+        return Optional.ofNullable(READY.pollFirst());
     }
 
     /// Starts those for the next runs, when the processor is not needed to start one for this run. Returns at once.
     static synchronized void startNext() {
-        if (READY.size() < wanted()) {
+        if (READY.size() + begun < wanted()) {
             Thread.ofPlatform().daemon().name("python-ahead").start(ProcessesAhead::startAll);
         }
     }
 
-    private static synchronized void startAll() {
-        try {
-            while (READY.size() < wanted()) {
-                READY.add(new PythonProcess());
+    private static void startAll() {
+        while (begin()) {
+            Optional<PythonProcess> started = Optional.empty();
+            try {
+                started = Optional.of(new PythonProcess()); // not on the lock
+            } catch (PythonFailure _) {
+                return; // a run that needs one says why
+            } finally {
+                begun(started);
             }
-        } catch (PythonFailure _) {
-            // a run that needs one says why
         }
+    }
+
+    private static synchronized boolean begin() {
+        boolean isWanted = READY.size() + begun < wanted();
+        begun += isWanted ? 1 : 0;
+        return isWanted;
+    }
+
+    private static synchronized void begun(Optional<PythonProcess> started) {
+        begun--;
+        started.ifPresent(process -> {
+            if (READY.size() < wanted()) {
+                READY.add(process);
+            } else {
+                process.close(0); // the runs are over
+            }
+        });
     }
 
     /// For tests.

@@ -10,13 +10,11 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
+import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import rsal.agent.Agent;
 import rsal.agent.AgentContext;
+import rsal.agent.OutsideAgent;
 import rsal.agent.OutsideCode;
 import rsal.device.Device;
 import rsal.robot.Robot;
@@ -25,9 +23,7 @@ import rsal.time.Phase;
 /// A proxy of an agent that lives in a process of Python. What happens to it is sent there; what it asks for meanwhile
 /// is done here, on its lane. Its own code runs nowhere else, so that radios, faults, recordings and the page see an
 /// agent like any other.
-final class PythonAgent implements Agent {
-    private static final int LAST_WORDS = 200; // ms
-
+final class PythonAgent implements OutsideAgent {
     private final PythonType type;
     private final Map<String, Object> arguments;
     private @Nullable Life life;
@@ -69,6 +65,11 @@ final class PythonAgent implements Agent {
             @Override
             public boolean isDebugged() {
                 return worker.isDebugged();
+            }
+
+            @Override
+            public void kill() {
+                worker.kill();
             }
         });
         var words = Map.of("agent", number, "start", described(own));
@@ -113,37 +114,55 @@ final class PythonAgent implements Agent {
     }
 
     @Override
-    public void stop(AgentContext self) {
+    public CompletionStage<Runnable> lastWords(AgentContext self) {
         Life own = life;
+        life = null; // it hears of nothing that happens after that
+        Runnable nothing = () -> {};
         if (own == null) {
-            return;
+            return CompletableFuture.completedFuture(nothing);
         }
         if (own.worker.postman().isEmpty()) {
             own.worker.turns().stop(own.number, own.now(), own.requests);
-            return;
+            return CompletableFuture.completedFuture(nothing);
         }
-        var said = new CompletableFuture<List<?>>();
-        post(
-                own,
-                0,
-                false,
-                turns -> turns.stop(own.number, own.now(), new PythonTurns.Peer() {
-                    @Override
-                    public void perform(List<?> asked) {
-                        said.complete(asked);
-                    }
+        var words = new LastWords(own.requests);
+        var said = new CompletableFuture<Runnable>();
+        post(own, 0, false, turns -> {
+            try {
+                turns.stop(own.number, own.now(), words);
+                said.complete(words);
+            } catch (RuntimeException e) {
+                said.complete(() -> {
+                    words.run();
+                    throw e;
+                });
+            }
+        });
+        return said;
+    }
 
-                    @Override
-                    public @Nullable Object answer(List<?> asked) {
-                        throw new IllegalStateException("Nothing can be asked any more: the agent is stopped.");
-                    }
-                }));
-        try {
-            own.requests.perform(said.get(LAST_WORDS, TimeUnit.MILLISECONDS));
-        } catch (TimeoutException | ExecutionException _) {
-            // the run does not wait for one that has more to say
-        } catch (InterruptedException _) {
-            Thread.currentThread().interrupt();
+    /// What Python asks for when its agent is stopped in real time.
+    private static final class LastWords implements PythonTurns.Peer, Runnable {
+        private final PythonRequests requests;
+        private final List<Object> all = new ArrayList<>();
+
+        LastWords(PythonRequests requests) {
+            this.requests = requests;
+        }
+
+        @Override
+        public void perform(List<?> asked) {
+            all.addAll(asked);
+        }
+
+        @Override
+        public @Nullable Object answer(List<?> asked) {
+            throw new IllegalStateException("Nothing can be asked any more: the agent is stopped.");
+        }
+
+        @Override
+        public void run() {
+            requests.perform(all);
         }
     }
 

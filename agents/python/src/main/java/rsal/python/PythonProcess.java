@@ -1,11 +1,13 @@
 package rsal.python;
 
 import java.io.BufferedReader;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Map;
@@ -22,6 +24,7 @@ final class PythonProcess {
     private static final String AT = NOTICE + "at ";
     private static final int LAST_WORDS = 12; // lines
     private static final int GRACE = 2; // s; of a process that is told to end
+    private static final Duration PATIENCE = Duration.ofSeconds(60); // for its first words
 
     private final Process process;
     private final FramePipe frames;
@@ -58,7 +61,7 @@ final class PythonProcess {
         if (greeted) {
             return false;
         }
-        Map<?, ?> hello = read();
+        Map<?, ?> hello = hello();
         if (hello.get("error") instanceof String why) {
             throw new PythonFailure(why);
         }
@@ -69,11 +72,22 @@ final class PythonProcess {
         return true;
     }
 
+    private Map<?, ?> hello() {
+        try (var time = AnswerTime.of(process, PATIENCE)) {
+            try {
+                return frames.read();
+            } catch (IOException e) {
+                throw time.isOver() ? ended("Python can't be run: " + time.words()) : ended(e);
+            }
+        }
+    }
+
     boolean isAlive() {
         return process.isAlive();
     }
 
     /// @throws PythonFailure when it has ended
+    /// @throws IllegalArgumentException when that is too long for a frame; then nothing was written
     void write(FramePipe.Content content) {
         String gone = dead;
         if (gone != null) {
@@ -82,8 +96,10 @@ final class PythonProcess {
         place = Optional.empty();
         try {
             frames.write(content);
-        } catch (IOException _) {
-            throw ended();
+        } catch (FramePipe.TooLong e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        } catch (IOException e) {
+            throw ended(e);
         }
     }
 
@@ -97,8 +113,8 @@ final class PythonProcess {
         }
         try {
             return frames.read();
-        } catch (IOException _) {
-            throw ended();
+        } catch (IOException e) {
+            throw ended(e);
         }
     }
 
@@ -134,19 +150,25 @@ final class PythonProcess {
         }
     }
 
+    /// Ends it at once: its code never returns. May be called on any thread.
+    void kill() {
+        process.destroyForcibly();
+    }
+
     /// Why it is no more, with its last words.
-    private PythonFailure ended() {
-        String why = dead;
-        if (why == null) {
-            try {
-                process.getOutputStream().close();
-            } catch (IOException _) {
-                // it can't be told anything any more
-            }
-            why = "Python ended%s.%s".formatted(exitCode(), lastWords());
-            dead = why;
+    private PythonFailure ended(IOException why) {
+        hangUp();
+        if (why instanceof EOFException || !process.isAlive()) {
+            return ended("Python ended%s".formatted(exitCode()));
         }
-        return new PythonFailure(why);
+        String code = exitCode(); // a frame that can't be read: it does not fit any more
+        return ended("Python's answer can't be read: %s Then it ended%s".formatted(why.getMessage(), code));
+    }
+
+    private PythonFailure ended(String why) {
+        String words = "%s.%s".formatted(why, lastWords());
+        dead = words;
+        return new PythonFailure(words);
     }
 
     private String exitCode() {

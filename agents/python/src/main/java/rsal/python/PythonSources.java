@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -34,13 +35,15 @@ record PythonSources(String path, String module, String className, Map<String, S
     private static final Pattern NAME = Pattern.compile("[A-Za-z_]\\w*");
     private static final Pattern TYPE = Pattern.compile(INSTALLED + "(\\w+(?:\\.\\w+)*):([A-Za-z_]\\w*)");
 
-    /// What a module may import: `import a.b, c`. There need not be such files.
-    private static final Pattern IMPORT =
-            Pattern.compile("(?m)^[ \\t]*import[ \\t]+([\\w.]+(?:[ \\t]*,[ \\t]*[\\w.]+)*)");
+    private static final Pattern COMMENT = Pattern.compile("#.*");
+    private static final Pattern CONTINUED = Pattern.compile("\\\\\\r?\\n");
+
+    /// What a module may import: `import a.b as d, c`, also after `;` or `:`. There need not be such files.
+    private static final Pattern IMPORT = Pattern.compile("(?m)(?:^|[;:])[ \\t]*import[ \\t]+([\\w.]+[\\w., \\t]*)");
 
     /// `from .a import b, c`, also with parentheses over several lines.
-    private static final Pattern FROM =
-            Pattern.compile("(?m)^[ \\t]*from[ \\t]+([\\w.]+)[ \\t]+import[ \\t]+(?:\\(([^)]*)\\)|([\\w, \\t]+))");
+    private static final Pattern FROM = Pattern.compile(
+            "(?m)(?:^|[;:])[ \\t]*from[ \\t]+([\\w.]+)[ \\t]+import[ \\t]+(?:\\(([^)]*)\\)|([\\w, \\t]+))");
 
     PythonSources {
         texts = Collections.unmodifiableMap(new LinkedHashMap<>(texts));
@@ -95,6 +98,13 @@ record PythonSources(String path, String module, String className, Map<String, S
         return isInstalled() ? "" : path.substring(0, path.lastIndexOf('/') + 1);
     }
 
+    /// Its files, as they are named in their folder.
+    List<String> files() {
+        return texts.keySet().stream()
+                .map(each -> each.substring(folder().length()))
+                .toList();
+    }
+
     String text() {
         return texts.getOrDefault(path, "");
     }
@@ -130,12 +140,16 @@ record PythonSources(String path, String module, String className, Map<String, S
         void follow() {
             while (!unread.isEmpty()) {
                 String path = unread.remove();
-                String text = texts.getOrDefault(path, "");
+                String text = CONTINUED
+                        .matcher(COMMENT.matcher(texts.getOrDefault(path, "")).replaceAll(""))
+                        .replaceAll(" ");
                 String own = path.substring(folder.length()); // parts/scan.py
                 int slash = own.lastIndexOf('/');
                 String parent = slash < 0 ? "" : own.substring(0, slash).replace('/', '.'); // parts
                 for (Matcher found = IMPORT.matcher(text); found.find(); ) {
-                    COMMA.splitAsStream(found.group(1)).forEach(this::lookFor);
+                    COMMA.splitAsStream(found.group(1))
+                            .map(each -> each.strip().split("\\s")[0]) // as another name
+                            .forEach(this::lookFor);
                 }
                 for (Matcher found = FROM.matcher(text); found.find(); ) {
                     String from = absolute(found.group(1), parent);

@@ -158,7 +158,10 @@ final class PythonTurns {
         gathered.clear();
         try {
             write(now, turns);
-        } catch (PythonFailure e) {
+        } catch (RuntimeException e) {
+            for (int agent : round) { // none of them hears what has happened
+                Optional.ofNullable(lives.get(agent)).ifPresent(life -> life.refused = e);
+            }
             round.clear();
             throw e;
         }
@@ -253,12 +256,15 @@ final class PythonTurns {
         }
         var answer = Optional.ofNullable(value);
         String error = why == null ? null : String.valueOf(why.getMessage());
-        process.write(to -> {
-            if (error != null) {
-                to.put("error", error);
-            } else {
-                to.put("value", answer);
-            }
-        });
+        if (error != null) {
+            process.write(to -> to.put("error", error));
+            return;
+        }
+        try {
+            process.write(to -> to.put("value", answer));
+        } catch (IllegalArgumentException e) { // it is too long
+            String tooLong = String.valueOf(e.getMessage());
+            process.write(to -> to.put("error", tooLong));
+        }
     }
 }

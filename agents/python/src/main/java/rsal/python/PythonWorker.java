@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import rsal.time.LockstepScheduler;
 
 /// The process of Python in which all agents in Python of one run live. It starts with the first of them and ends with
@@ -14,16 +15,16 @@ import rsal.time.LockstepScheduler;
 final class PythonWorker {
     private static final int GRACE = 2; // s; of a process that still has something to do in real time
 
-    /// By what tells runs apart. Guarded by itself.
-    private static final Map<Object, PythonWorker> BY_RUN = new HashMap<>();
+    /// By what tells runs apart. Processes of several runs start side by side.
+    private static final Map<Object, PythonWorker> BY_RUN = new ConcurrentHashMap<>();
 
     private final Object run;
     private final PythonProcess process;
     private final PythonTurns turns;
     private final Optional<Postman> postman;
     private volatile Optional<Instant> turnBegan = Optional.empty();
-    private int agents; // that live in it; guarded by BY_RUN
-    private final Map<Integer, String> names = new HashMap<>(); // of all that ever did, by number; guarded by BY_RUN
+    private int agents; // that live in it; changed where BY_RUN is computed
+    private final Map<Integer, String> names = new HashMap<>(); // of all that ever did, by number; guarded by itself
 
     private PythonWorker(Object run) {
         this.run = run;
@@ -37,11 +38,11 @@ final class PythonWorker {
     /// @param run what tells runs apart
     /// @throws PythonFailure when there is no Python that could have it
     static PythonWorker enter(Object run) {
-        PythonWorker worker;
-        synchronized (BY_RUN) {
-            worker = BY_RUN.computeIfAbsent(run, PythonWorker::new);
-            worker.agents++;
-        }
+        PythonWorker worker = BY_RUN.compute(run, (_, known) -> {
+            PythonWorker its = known == null ? new PythonWorker(run) : known;
+            its.agents++;
+            return its;
+        });
         try {
             if (worker.process.greet()) { // not on the lock: other runs start theirs meanwhile
                 ProcessesAhead.startNext();
@@ -55,19 +56,16 @@ final class PythonWorker {
 
     /// One agent less.
     void leave() {
-        synchronized (BY_RUN) {
-            agents--;
-            if (agents == 0) {
-                BY_RUN.remove(run, this);
-                postman.ifPresent(Postman::close);
-                process.close(postman.isEmpty() ? 0 : GRACE);
-            }
+        boolean isEmpty = BY_RUN.compute(run, (_, _) -> --agents == 0 ? null : this) == null;
+        if (isEmpty) {
+            postman.ifPresent(Postman::close);
+            process.close(postman.isEmpty() ? 0 : GRACE);
         }
     }
 
     /// A number for an agent, of no other one.
     int number(String name) {
-        synchronized (BY_RUN) {
+        synchronized (names) {
             int number = names.size() + 1;
             names.put(number, name);
             return number;
@@ -103,11 +101,16 @@ final class PythonWorker {
         process.hangUp();
     }
 
+    /// Ends the process: code in it never returns. All its agents fail. May be called on any thread.
+    void kill() {
+        process.kill();
+    }
+
     /// Where Python is, when a turn takes more than a second, for one of its agents. Another one may be the reason. May
     /// be asked on any thread.
     Optional<String> place(int agent) {
         return process.place().map(place -> {
-            synchronized (BY_RUN) {
+            synchronized (names) {
                 return place.agent() == agent || place.agent() == 0
                         ? place.words()
                         : "%s of agent '%s'".formatted(place.words(), names.get(place.agent()));

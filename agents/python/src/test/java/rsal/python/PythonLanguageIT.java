@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.AgentType;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
@@ -80,7 +81,10 @@ class PythonLanguageIT {
         assertThat(Texts.type(text).parameters()).hasSize(1);
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> Texts.type(text.replace(right, wrong)))
-                .withMessageContaining(message);
+                .withMessageContainingAll(
+                        "A module of an agent cannot be called '%s': Python has one of that name."
+                                .formatted(file.replace(".py", "")),
+                        "Give '%s' another name.".formatted(file));
     }
 
     @Test
@@ -127,6 +131,59 @@ class PythonLanguageIT {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> Texts.type("a.py:D", Map.of("a.py", text)))
                 .withMessageContaining("There is no class 'D'");
+    }
+
+    @Test
+    void modulesAreFoundHoweverTheyAreImported() {
+        var texts = Map.of(
+                "a.py",
+                """
+                import numpy as np, one
+                import two as second, \\
+                    three
+                from four import (  # not five (5)
+                    x as y,
+                )
+                import os; import six
+                try: import seven
+                except ImportError: pass
+                # import eight
+                """,
+                "one.py",
+                "",
+                "two.py",
+                "",
+                "three.py",
+                "",
+                "four.py",
+                "",
+                "six.py",
+                "",
+                "seven.py",
+                "",
+                "eight.py",
+                "");
+        assertThat(PythonSources.read("a.py", Texts.files(texts), Location.of("scenario.yaml"))
+                        .texts())
+                .containsOnlyKeys("a.py", "one.py", "two.py", "three.py", "four.py", "six.py", "seven.py");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"random.py", "rsal.py", "statistics.py"})
+    void namesOfPythonsOwnModulesAreRefused(String file) {
+        String text = "import rsal\nclass A(rsal.Agent):\n    pass\n";
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Texts.type(file, Map.of(file, text)))
+                .withMessageContaining(message);
+    }
+
+    @Test
+    void soAreThoseOfModulesBesideIt() {
+        var texts =
+                Map.of("own/a.py", "import random\nimport rsal\nclass A(rsal.Agent):\n    pass\n", "own/random.py", "");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Texts.type("own/a.py", texts))
+                .withMessageContaining("own/a.py:1:1: A module of an agent cannot be called 'random'");
     }
 
     @Test

@@ -2,6 +2,8 @@ package rsal.python;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -147,6 +149,73 @@ class PythonRealTimeIT {
         assertThat(platform.view("amy").orElseThrow().state()).isEqualTo("amy.py:8 in fail: ValueError: so");
         await(() -> lines.contains("bob: begins"));
         run.exclusively(() -> platform.stop("bob"));
+        await(() -> lines.contains("bob: bye"));
+    }
+
+    @Test
+    void oneThatIsStoppedHoldsUpNobodyAndItsLastWordsAreHeard() throws Exception {
+        Path wait = Files.createTempFile("wait", "");
+        start("bob", """
+                def on_start(self):
+                    self.every(0.01, self.tick)
+                    self.ticks = 0
+                    print("begins")
+                def tick(self):
+                    self.ticks += 1
+                def on_stop(self):
+                    import os
+                    ticks = self.ticks
+                    while os.path.exists('%s'):
+                        time.sleep(0.01)
+                    print("bye", self.ticks == ticks)
+                """.formatted(wait.toString().replace('\\', '/')));
+        await(() -> lines.contains("bob: begins"));
+        run.exclusively(() -> platform.stop("bob"));
+        run.exclusively(
+                () -> assertThat(platform.view("bob").orElseThrow().status()).isEqualTo(AgentPlatform.Status.RUNNING));
+        Files.delete(wait); // only now it can end
+        await(() -> platform.view("bob").orElseThrow().status() == AgentPlatform.Status.ENDED);
+        assertThat(lines).contains("bob: bye True");
+    }
+
+    @Test
+    void lastWordsAreHeardAtTheEndOfTheRun() throws InterruptedException {
+        start("bob", """
+                def on_start(self):
+                    print("begins")
+                def on_stop(self):
+                    print("bye")
+                """);
+        await(() -> lines.contains("bob: begins"));
+        run.exclusively(platform::close);
         assertThat(lines).contains("bob: bye");
+    }
+
+    @Test
+    void oneForWhichTooMuchWaitsEnds() throws Exception {
+        Path wait = Files.createTempFile("wait", "");
+        start("slow", """
+                def on_start(self):
+                    self.subscribe(NUMBERS, self.on_number)
+                    self.after(0.01, self.block)
+                    print("begins")
+                def on_number(self, message):
+                    pass
+                def block(self):
+                    import os
+                    print("blocks")
+                    self.agents()
+                    while os.path.exists('%s'):
+                        time.sleep(0.01)
+                """.formatted(wait.toString().replace('\\', '/')));
+        await(() -> lines.contains("slow: blocks"));
+        run.exclusively(() -> {
+            for (int i = 0; i < 10_010; i++) {
+                platform.publish("test", NUMBERS, Map.of("n", i));
+            }
+        });
+        await(() -> platform.view("slow").orElseThrow().status() == AgentPlatform.Status.FAILED);
+        Files.delete(wait);
+        assertThat(platform.view("slow").orElseThrow().state()).startsWith("More than 10000 events wait for it");
     }
 }

@@ -49,7 +49,12 @@ final class AgentWatch {
 
     private void look() {
         try {
-            watchdog.look().map(this::broken).ifPresent(giveUp);
+            watchdog.look().map(this::broken).ifPresent(broken -> {
+                giveUp.accept(broken);
+                turns.inProgress()
+                        .keySet()
+                        .forEach(agent -> turns.outside(agent).ifPresent(OutsideCode::kill));
+            });
         } catch (OutOfMemoryError _) {
             // what the run does about it is its own matter; the next look may have enough
         }
