@@ -209,7 +209,7 @@ def command(arguments: Sequence[str], *, terminal: bool = False) -> list[str]:
     if (program / "page").is_dir():
         java.append(f"-Drsal.page={program / 'page'}")
     java += [
-        f"-Drsal.python={sys.executable}",
+        f"-Drsal.python={os.environ.get('RSAL_PYTHON') or sys.executable}",
         f"-Drsal.terminal.out={_word(terminal and sys.stdout.isatty())}",
         f"-Drsal.terminal.err={_word(terminal and sys.stderr.isatty())}",
     ]

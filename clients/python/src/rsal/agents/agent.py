@@ -149,7 +149,11 @@ class Agent:
         """Begins: subscribe, set timers, set off. May be ``async``."""
 
     def on_stop(self) -> Any:
-        """Clean up: the run ends, or the agent is stopped. Not called after an exception."""
+        """Clean up: the run ends, or the agent is stopped. Not called after an exception.
+
+        When the run ends, its result and events are complete before: what is printed or measured here is not in them.
+        In real time nothing can be asked here, as the run does not wait for it.
+        """
 
     # What it is and has
 
@@ -258,7 +262,10 @@ class Agent:
         return Subscription(self, number)
 
     def every(self, seconds: float, method: Callable[..., object], *arguments: Any) -> Subscription:
-        """Call a method again and again, first after that time."""
+        """Call a method again and again, first after that time.
+
+        An ``async`` method that takes longer than that begins again while it goes on.
+        """
         number = self._link.listen(lambda _words, _arrays: self._run(method, *arguments))
         self._link.do("every", number, float(seconds))
         return Subscription(self, number)
