@@ -55,6 +55,7 @@ def test_breakpoint_is_a_conversation_on_the_terminal() -> None:
     from_errors, errors = os.pipe()
     child, terminal = pty.fork()
     if child == 0:
+        os.set_inheritable(os.dup(0), True)  # the terminal: it ends when nobody has it open
         for descriptor, of in ((events, 0), (answers, 1), (errors, 2)):
             os.dup2(descriptor, of)
         home = str(Path(rsal.__file__).parents[1])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import builtins
 import importlib.abc
 import importlib.machinery
 import importlib.util
@@ -49,40 +50,88 @@ def notice(words: str) -> None:
     os.write(2, f"{NOTICE}{words}\n".encode())
 
 
-class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
-    """Modules of a scenario: files beside it, as RSAL has read them."""
+class Folder:
+    """The modules in one folder of a scenario. Those of the first folder have the names that their files say."""
 
-    def __init__(self) -> None:
-        self._texts: dict[str, tuple[str, str]] = {}  # path and text, by name of the module
-        self._packages: set[str] = set()  # names of those in folders
-        self.paths: set[str] = set()
+    def __init__(self, name: str, prefix: str) -> None:
+        self.name = name
+        self.prefix = prefix
+        self.texts: dict[str, tuple[str, str]] = {}  # path and text, by name of the module
+        self.packages: set[str] = set()  # names of folders in it
+        self.builtins = {**vars(builtins), "__import__": self._import}
 
-    def add(self, folder: str, texts: dict[str, str]) -> None:
-        """Add files as modules.
+    def fits(self, folder: str, texts: dict[str, tuple[str, str]]) -> bool:
+        """Return whether these files can be in it: no other file has a name of theirs."""
+        return folder == self.name and all(self.texts.get(name, text) == text for name, text in texts.items())
 
-        :param folder: in which they are; ``parts/scan.py`` in it is module ``parts.scan``
-        :raises ImportError: when there is another module of that name
-        """
-        for path, text in texts.items():
-            name = self.module(path.removeprefix(folder))
-            known = self._texts.setdefault(name, (path, text))
-            if known != (path, text):
-                raise ImportError(f"Files '{known[0]}' and '{path}' are both module '{name}'. Rename one of them.")
-            self.paths.add(path)
-            linecache.cache[path] = (len(text), None, text.splitlines(True), path)
-
+    def add(self, texts: dict[str, tuple[str, str]]) -> None:
+        """Add modules."""
+        self.texts.update(texts)
+        for name in texts:
             for end in range(len(name)):
                 if name[end] == ".":
-                    self._packages.add(name[:end])
+                    self.packages.add(name[:end])
+
+    def _import(
+        self,
+        name: str,
+        globals: Any = None,  # noqa: A002 - of the function in whose place it is
+        locals: Any = None,  # noqa: A002
+        fromlist: Sequence[str] = (),
+        level: int = 0,
+    ) -> Any:
+        """``import helper`` in one of its modules means its own, also when another folder has such a module."""
+        top = name.partition(".")[0]
+        if level or (top not in self.texts and top not in self.packages):
+            return builtins.__import__(name, globals, locals, fromlist, level)
+        module = builtins.__import__(self.prefix + name, globals, locals, fromlist)
+        return module if fromlist else sys.modules[self.prefix + top]
+
+
+class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
+    """Modules of a scenario, and of one that joins it: files beside it, as RSAL has read them."""
+
+    def __init__(self) -> None:
+        self._folders: list[Folder] = []
+        self.paths: set[str] = set()
+
+    def add(self, folder: str, texts: dict[str, str]) -> str:
+        """Add files as modules, and return what their names begin with.
+
+        :param folder: in which they are; ``parts/scan.py`` in it is module ``parts.scan``
+        """
+        modules = {self._module(path.removeprefix(folder)): (path, text) for path, text in texts.items()}
+        found = next((each for each in self._folders if each.fits(folder, modules)), None)
+        if found is None:
+            count = len(self._folders) + 1
+            found = Folder(folder, "" if count == 1 else f"rsal_folder_{count}.")
+            self._folders.append(found)
+        found.add(modules)
+        for path, text in texts.items():
+            self.paths.add(path)
+            linecache.cache[path] = (len(text), None, text.splitlines(True), path)
+        return found.prefix
 
     @staticmethod
-    def module(path: str) -> str:
-        """Return the name of the module in a file."""
+    def _module(path: str) -> str:
         return path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+
+    def _find(self, fullname: str) -> tuple[Folder, str] | None:
+        """Return the folder of a module, and its name there."""
+        for folder in reversed(self._folders):
+            if fullname.startswith(folder.prefix):
+                return folder, fullname[len(folder.prefix) :]
+        return None
+
+    def _text(self, fullname: str) -> tuple[str, str]:
+        found = self._find(fullname)
+        if found is None:
+            raise ImportError(f"There is no module '{fullname}'.", name=fullname)
+        return found[0].texts[found[1]]
 
     def is_package(self, fullname: str) -> bool:
         """Return whether other modules are in it."""
-        return self._texts[fullname][0].endswith("/__init__.py")
+        return self._text(fullname)[0].endswith("/__init__.py")
 
     def find_spec(
         self,
@@ -91,20 +140,29 @@ class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
         target: ModuleType | None = None,  # noqa: ARG002 - of the interface
     ) -> importlib.machinery.ModuleSpec | None:
         """Find a module among the files of the scenario."""
-        if fullname not in self._texts:
-            if fullname in self._packages:  # a folder without __init__.py
-                return importlib.machinery.ModuleSpec(fullname, None, is_package=True)
-            return None
-        return importlib.util.spec_from_loader(fullname, self, origin=self._texts[fullname][0])
+        found = self._find(fullname)
+        if found is not None and found[1] in found[0].texts:
+            return importlib.util.spec_from_loader(fullname, self, origin=found[0].texts[found[1]][0])
+        bare = any(folder.prefix == fullname + "." for folder in self._folders)
+        if bare or (found is not None and found[1] in found[0].packages):  # a folder without __init__.py
+            return importlib.machinery.ModuleSpec(fullname, None, is_package=True)
+        return None
 
     def get_source(self, fullname: str) -> str:
         """Return the text of a module."""
-        return self._texts[fullname][1]
+        return self._text(fullname)[1]
 
     def get_code(self, fullname: str) -> Any:
         """Compile the text of a module."""
-        path, text = self._texts[fullname]
+        path, text = self._text(fullname)
         return compile(text, path, "exec", dont_inherit=True)
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Run a module, whose imports mean modules of its folder first."""
+        found = self._find(module.__name__)
+        if found is not None and found[0].prefix:
+            vars(module)["__builtins__"] = found[0].builtins
+        super().exec_module(module)
 
 
 class Output(io.TextIOBase):
@@ -254,10 +312,11 @@ class Worker:
         return b'{"agent":%d,"do":%b%b}' % (number, link.take(), failure)
 
     def _start(self, number: int, words: dict[str, Any], link: Link) -> None:
-        self.files.add(words["folder"], words["files"])
-        module = importlib.import_module(words["module"])
-        if not words["files"] and module.__file__:  # one that is installed
-            self.files.paths.add(module.__file__)
+        if words["files"]:
+            module = importlib.import_module(self.files.add(words["folder"], words["files"]) + words["module"])
+        else:  # one that is installed
+            module = importlib.import_module(words["module"])
+            self.files.paths.add(module.__file__ or "")
         kind = getattr(module, words["class"])
         if not isinstance(kind, type) or not issubclass(kind, contract.Agent):
             raise TypeError(f"'{words['class']}' does not inherit from 'rsal.Agent'.")
