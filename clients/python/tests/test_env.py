@@ -48,6 +48,32 @@ def test_pettingzoo_finds_equal_episodes_for_equal_seeds(scenario: str) -> None:
     parallel_seed_test(make, num_cycles=20)
 
 
+def test_agents_that_leave_are_gone_before_the_others(scenario: str) -> None:
+    def leaving(view: View) -> list[bool]:
+        return [view.time > 0.35, view.time > 0.75]
+
+    made = env.parallel_env(scenario, learners="learner", max_steps=50, leave=leaving)
+    made.reset(seed=3)
+    first, second = made.possible_agents
+    left: list[tuple[list[str], dict[str, bool]]] = []
+    start = made.state()
+    while made.agents:
+        acted = {agent: np.array([0.5, 0.0], np.float32) for agent in made.agents}
+        observations, rewards, terminated, truncated, infos = made.step(acted)
+        assert set(observations) == set(rewards) == set(terminated) == set(infos) == set(acted)
+        assert not any(truncated.values())
+        left.append((list(made.agents), terminated))
+        if len(left) == 5:
+            moved = made.state()
+    assert left[3] == ([second], {first: True, second: False})
+    assert left[-1] == ([], {second: True})
+    assert len(left) == 8
+    assert len(infos[second]["event_hash"]) == 64
+    assert not np.allclose(start[:3], moved[:3])
+    parallel_api_test(made, num_cycles=50)
+    made.close()
+
+
 def test_pettingzoo_finds_the_end_of_an_episode(scenario: str) -> None:
     class Module:
         """The two functions of a module of PettingZoo that its test calls."""

@@ -126,6 +126,8 @@ def test_the_command_has_the_program_and_the_arguments(tmp_path: Path, monkeypat
     assert words[:2] == [str(home / "bin" / "java"), f"@{program / 'lib' / 'java.options'}"]
     assert words[-5:] == ["-cp", str(program / "lib" / "rsal-cli.jar"), "rsal.cli.Main", "run", "a b.yaml"]
     assert f"-Drsal.python={sys.executable}" in words
+    monkeypatch.setenv("RSAL_PYTHON", "/other/python3")  # as the message says that it can be named
+    assert "-Drsal.python=/other/python3" in launch.command(["list"])
 
 
 def test_a_path_that_java_would_split_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

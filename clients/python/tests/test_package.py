@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import rsal
+from rsal import agents, launch
 
 _IMPORT = """
 import json, sys, time
@@ -60,3 +61,11 @@ def test_its_version_is_that_of_the_project() -> None:
 
 def test_it_is_typed() -> None:
     assert (Path(rsal.__file__).parent / "py.typed").is_file()
+
+
+def test_errors_of_agents_are_those_of_studies_and_need_nothing_else() -> None:
+    assert rsal.RsalError is agents.RsalError
+    assert rsal.RsalError is launch.RsalError
+    words = "import sys, rsal; rsal.RsalError; print('rsal.launch' in sys.modules)"  # a jar has no launch
+    text = subprocess.run([sys.executable, "-c", words], check=True, capture_output=True, text=True).stdout
+    assert text.strip() == "False"

@@ -14,7 +14,7 @@ _NAMES = {
     "Param": "rsal.agents",
     "Point2d": "rsal.agents",
     "Pose2d": "rsal.agents",
-    "RsalError": "rsal.launch",
+    "RsalError": "rsal.errors",
     "Stamped": "rsal.agents",
     "Topic": "rsal.agents",
     "Twist2d": "rsal.agents",
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from rsal.env import make_vec as make_vec
     from rsal.env import parallel_env as parallel_env
     from rsal.env import single_env as single_env
-    from rsal.launch import RsalError as RsalError
+    from rsal.errors import RsalError as RsalError
     from rsal.studies import connect as connect
     from rsal.studies import load as load
     from rsal.studies import report as report

@@ -16,6 +16,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
+from rsal.errors import RsalError as RsalError  # noqa: PLC0414 - also of this module
+
 JAVA_LEAST = 25
 UNREACHABLE = 5
 """Exit code of the command line for what is not there."""
@@ -25,10 +27,6 @@ _JAR_TIME = 1_767_225_600
 
 _CACHES_KEPT = 2
 """With two environments of different versions, neither has to make its cache again and again."""
-
-
-class RsalError(Exception):
-    """Something that RSAL cannot do: what, where, with which value, and what to try."""
 
 
 def program_folder() -> Path | None:
@@ -211,7 +209,7 @@ def command(arguments: Sequence[str], *, terminal: bool = False) -> list[str]:
     if (program / "page").is_dir():
         java.append(f"-Drsal.page={program / 'page'}")
     java += [
-        f"-Drsal.python={sys.executable}",
+        f"-Drsal.python={os.environ.get('RSAL_PYTHON') or sys.executable}",
         f"-Drsal.terminal.out={_word(terminal and sys.stdout.isatty())}",
         f"-Drsal.terminal.err={_word(terminal and sys.stderr.isatty())}",
     ]

@@ -19,11 +19,31 @@ LONGEST = 64 * 1024 * 1024
 
 _HEAD = struct.Struct("<ii")
 _decode = json.JSONDecoder().decode
-_encode = json.JSONEncoder(ensure_ascii=False, check_circular=False, separators=(",", ":")).encode
 
 
 class ProtocolError(Exception):
-    """The other side sent what is no frame."""
+    """The other side sent what is no frame, or a frame that is too long would be sent."""
+
+
+def _number(value: Any) -> Any:
+    """Return a number of numpy as one of Python, without loading numpy."""
+    if type(value).__module__ == "numpy" and not getattr(value, "shape", True):
+        return value.item()
+    raise TypeError(
+        f"A value of type '{type(value).__name__}' cannot be sent. Maybe use numbers, texts, lists or dicts."
+    )
+
+
+_text = json.JSONEncoder(ensure_ascii=False, check_circular=False, separators=(",", ":"), default=_number).encode
+
+
+def encode(words: Any) -> bytes:
+    """Return words as JSON in UTF-8.
+
+    :raises TypeError: when a value is not a number, text, list or dict
+    :raises ValueError: when a text has a character that UTF-8 cannot have
+    """
+    return _text(words).encode()
 
 
 class Frames:
@@ -77,15 +97,24 @@ class Frames:
         return self._again[1]
 
     def write(self, words: dict[str, Any], arrays: bytes = b"") -> None:
-        """Write a frame."""
-        self.write_text(self.text(words), arrays)
+        """Write a frame.
 
-    @staticmethod
-    def text(words: dict[str, Any]) -> bytes:
-        """Return words as they are written, for frames that have the same ones again and again."""
-        return _encode(words).encode()
+        :raises TypeError: when a value cannot be sent
+        :raises ProtocolError: when it is too long; then nothing was written
+        """
+        self.write_text(encode(words), arrays)
 
     def write_text(self, text: bytes, arrays: bytes = b"") -> None:
-        """Write a frame with words that :meth:`text` gave."""
-        self._write(_HEAD.pack(len(text) + len(arrays), len(text)) + text + arrays)
+        """Write a frame of words that :func:`encode` gave.
+
+        :raises ProtocolError: when it is too long; then nothing was written
+        """
+        length = len(text) + len(arrays)
+        if length > LONGEST:
+            raise ProtocolError(f"A frame cannot have {length} bytes; at most {LONGEST} can be sent.")
+        frame = _HEAD.pack(length, len(text)) + text + arrays
+        written = self._write(frame)
+        while written < len(frame):  # a sink without a buffer may take a part, when a signal comes
+            frame = frame[written:]
+            written = self._write(frame)
         self._flush()

@@ -153,3 +153,56 @@ def test_a_sector_is_what_each_beam_tells() -> None:
 def test_values_cannot_be_changed() -> None:
     with pytest.raises(AttributeError):
         Twist2d(0.0, 0.0, 0.0).vx = 1.0  # type: ignore[misc]
+
+
+def test_the_nearest_thing_is_found_among_beams_without_a_reading() -> None:
+    ranges = [2.0, math.nan, 0.3, math.inf]
+    assert scan(0.0, -1.0, 0.5, ranges).nearest() == pytest.approx(0.3)
+    assert scan(0.0, -1.0, 0.5, [*ranges, 0.0]).nearest() == pytest.approx(0.3)  # 0 is no reading
+    assert scan(0.0, -1.0, 0.5, [math.nan, 0.0]).nearest() == math.inf
+    assert scan(0.0, -1.0, 0.5, [math.nan, math.inf]).nearest() == math.inf
+    near = LaserScan(Pose2d(0, 0, 0), -1.0, 0.5, 0.1, 10.0, np.array([math.nan, 2.0, -math.inf], np.float32))
+    assert near.nearest() == 0.1  # what is too close is as near as can be measured
+    zero = LaserScan(Pose2d(0, 0, 0), -1.0, 0.5, 0.1, 10.0, np.array([2.0, 0.0, math.nan], np.float32))
+    assert zero.nearest() == 0.1
+
+
+def test_the_nearest_thing_is_that_of_a_slow_search() -> None:
+    generator = random.Random(3)  # noqa: S311
+    for _ in range(300):
+        least = generator.choice([0.0, 0.1])
+        shown = [generator.choice([math.nan, math.inf, -math.inf, 0.0, 0.05, 1.0, 2.0]) for _ in range(5)]
+        found = LaserScan(Pose2d(0, 0, 0), -1.0, 0.5, least, 10.0, np.array(shown, np.float32)).nearest()
+        far = [least if each < least else each for each in shown if each != 0 or least > 0]  # as Rep117.distance
+        assert found == pytest.approx(min((each for each in far if not math.isnan(each)), default=math.inf))
+
+
+class _Slow(io.RawIOBase):
+    """Takes three bytes at a time, as a pipe may when a signal comes."""
+
+    def __init__(self) -> None:
+        self.taken = b""
+
+    def writable(self) -> bool:
+        return True
+
+    def write(self, data: object) -> int:
+        part = bytes(data)[:3]  # type: ignore[call-overload]
+        self.taken += part
+        return len(part)
+
+
+def test_all_of_a_frame_is_written_when_a_sink_takes_parts() -> None:
+    sink = _Slow()
+    Frames(io.BytesIO(), sink).write({"a": "long"}, b"xyz")  # type: ignore[arg-type]
+    frame = Frames(io.BytesIO(sink.taken), io.BytesIO()).read()
+    assert frame is not None
+    assert frame[0] == {"a": "long"}
+    assert bytes(frame[1]) == b"xyz"
+
+
+def test_a_frame_that_is_too_long_is_not_begun() -> None:
+    sink = io.BytesIO()
+    with pytest.raises(ProtocolError, match="at most 67108864"):
+        Frames(io.BytesIO(), sink).write({}, bytes(64 * 1024 * 1024))
+    assert sink.getvalue() == b""

@@ -9,6 +9,7 @@ module rsal.agent.api {
     exports rsal.metric;
 
     uses rsal.agent.AgentHostProvider;
+    uses rsal.agent.AgentLanguage;
     uses rsal.agent.AgentType;
     uses rsal.agent.TopicProvider;
 }

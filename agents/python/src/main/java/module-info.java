@@ -2,6 +2,7 @@
 /// proxies here. Knows robots only as devices of the middle layer; knows nothing of scenarios.
 module rsal.python {
     requires transitive rsal.agent.platform;
+    requires rsal.behaviors;
     requires rsal.frames;
     requires static org.jspecify;
 

@@ -5,34 +5,22 @@ from __future__ import annotations
 import inspect
 import random
 from collections.abc import Callable, Coroutine, Sequence
-from dataclasses import dataclass, is_dataclass
+from dataclasses import dataclass
 from typing import Any, ClassVar, Generic, TypeVar, overload
 
 import numpy as np
 
 from rsal.agents import conversations as talk
 from rsal.agents import values as v
-from rsal.agents.convert import decoder, encode
+from rsal.agents.boards import TeamBoard
+from rsal.agents.convert import decoder
 from rsal.agents.devices import Device, Robot, Sensor, Simulation, Stamped, Subscription
 from rsal.agents.link import Link
+from rsal.agents.topics import Topic, topic_content, topic_of
 from rsal.agents.waiting import Pending, Task
 
 M = TypeVar("M")
 T = TypeVar("T")
-
-
-class Topic(Generic[M]):
-    """A channel of messages. Those that come with RSAL are named by the class of their messages (``PoseReport``).
-
-    :param name: of the channel; agents in Java hear one of your own as ``new Topic<>("bids", Map.class)``
-    :param kind: ``dict``, or a dataclass of your own
-    """
-
-    def __init__(self, name: str, kind: type[M]) -> None:
-        if kind is not dict and not is_dataclass(kind):
-            raise TypeError(f"Messages of topic '{name}' are a dict or a dataclass, not '{kind.__name__}'.")
-        self.name = name
-        self.kind = kind
 
 
 @dataclass(frozen=True)
@@ -79,25 +67,6 @@ class Note(Generic[M]):
     written: float
 
 
-def _topic(of: Any) -> tuple[str, Any]:
-    """Name and type of a topic's messages."""
-    if isinstance(of, Topic):
-        return of.name, of.kind
-    if isinstance(of, type) and hasattr(of, "topic"):
-        return of.topic, of
-    raise TypeError(f"'{of!r}' is no topic. Maybe a class of rsal.agents.messages, or rsal.Topic(name, dict)?")
-
-
-def _content(of: Any, message: Any) -> tuple[str, Any]:
-    if message is None:
-        name, _ = _topic(type(of))
-        return name, encode(of)
-    name, kind = _topic(of)
-    if not isinstance(message, kind):
-        raise TypeError(f"Topic '{name}' has messages of type '{kind.__name__}', not '{type(message).__name__}'.")
-    return name, encode(message)
-
-
 class Blackboard:
     """An agent's own notes, which fade when their time is up."""
 
@@ -109,16 +78,16 @@ class Blackboard:
 
         :param lifetime: after which it fades [s]; ``None`` for one that stays
         """
-        key, words = _content(topic, content)
+        key, words = topic_content(topic, content)
         self._link.do("write", key, name, words, lifetime)
 
     def erase(self, topic: type[M] | Topic[M], name: str) -> None:
         """Erase the note of that name; without one, nothing happens."""
-        self._link.do("erase", _topic(topic)[0], name)
+        self._link.do("erase", topic_of(topic)[0], name)
 
     def read(self, topic: type[M] | Topic[M]) -> list[Note[M]]:
         """All notes of a topic, the oldest first."""
-        key, kind = _topic(topic)
+        key, kind = topic_of(topic)
         words, arrays = self._link.ask("notes", key)
         decode = decoder(kind)
         return [Note(each["name"], decode(each["content"], arrays), each["written"]) for each in words]
@@ -174,12 +143,17 @@ class Agent:
     _seed: int
     _rng: np.random.Generator | None
     _tasks: list[Task]
+    _boards: dict[str, TeamBoard]
 
     def on_start(self) -> Any:
         """Begins: subscribe, set timers, set off. May be ``async``."""
 
     def on_stop(self) -> Any:
-        """Clean up: the run ends, or the agent is stopped. Not called after an exception."""
+        """Clean up: the run ends, or the agent is stopped. Not called after an exception.
+
+        When the run ends, its result and events are complete before: what is printed or measured here is not in them.
+        In real time nothing can be asked here, as the run does not wait for it.
+        """
 
     # What it is and has
 
@@ -215,6 +189,17 @@ class Agent:
         """The agent's own notes."""
         return Blackboard(self._link)
 
+    def team_board(self, name: str) -> TeamBoard:
+        """Return this agent's end of a board that its team shares. Some agent must keep it: :meth:`keep_board`."""
+        board = self._boards.get(name)
+        if board is None:
+            board = self._boards[name] = TeamBoard(self, name)
+        return board
+
+    def keep_board(self, name: str) -> None:
+        """Keep a board of the team as its master. Of two masters, the one that started first keeps it."""
+        self._link.do("keepBoard", name)
+
     @property
     def mind(self) -> Mind:
         """Beliefs and goals that people see on the page."""
@@ -228,7 +213,7 @@ class Agent:
     def publish(self, topic: object) -> None: ...
     def publish(self, topic: Any, message: Any = None) -> None:
         """Send a message to all who listen: ``publish(PoseReport(…))``, or ``publish(BIDS, {"price": 3})``."""
-        self._link.do("publish", *_content(topic, message))
+        self._link.do("publish", *topic_content(topic, message))
 
     @overload
     def send(self, to: str, topic: Topic[M], message: M) -> None: ...
@@ -236,7 +221,8 @@ class Agent:
     def send(self, to: str, topic: object) -> None: ...
     def send(self, to: str, topic: Any, message: Any = None) -> None:
         """Send a message to one agent, if it listens."""
-        self._link.do("send", to, *_content(topic, message))
+        talk.check_name(to)
+        self._link.do("send", to, *topic_content(topic, message))
 
     @overload
     def subscribe(self, source: Sensor[T], listener: Callable[[Stamped[T]], object]) -> Subscription: ...
@@ -251,7 +237,7 @@ class Agent:
         """
         if isinstance(source, Sensor):
             return source.subscribe(listener)
-        name, kind = _topic(source)
+        name, kind = topic_of(source)
         decode = decoder(kind)
 
         def heard(words: Any, arrays: memoryview) -> None:
@@ -276,14 +262,17 @@ class Agent:
         return Subscription(self, number)
 
     def every(self, seconds: float, method: Callable[..., object], *arguments: Any) -> Subscription:
-        """Call a method again and again, first after that time."""
+        """Call a method again and again, first after that time.
+
+        An ``async`` method that takes longer than that begins again while it goes on.
+        """
         number = self._link.listen(lambda _words, _arrays: self._run(method, *arguments))
         self._link.do("every", number, float(seconds))
         return Subscription(self, number)
 
     def sleep(self, seconds: float) -> Pending[None]:
         """``await self.sleep(2)`` waits in the time of the run."""
-        pending: Pending[None] = Pending()
+        pending: Pending[None] = Pending(self._run)
         self.after(seconds, pending._end, None)
         return pending
 
@@ -295,7 +284,7 @@ class Agent:
 
     def _run(self, method: Callable[..., object], *arguments: Any) -> None:
         result = method(*arguments)
-        if inspect.iscoroutine(result):
+        if result is not None and inspect.iscoroutine(result):
             self.spawn(result)
 
     # Others
@@ -374,6 +363,43 @@ class Agent:
         :param perform: does what was accepted, and returns the result, a dict; it may be ``async``
         """
         talk.bid(self, service, propose, perform)
+
+    def propose(self, to: str, service: str, proposal: dict[str, Any], silence: float = 5.0) -> Pending[talk.Result]:
+        """Propose to do something (FIPA Propose): ``result = await self.propose("amy", "swap", {"goal": 3})``.
+
+        The result is informed when the proposal was accepted, and refused with the reason when it was rejected.
+        """
+        return talk.propose(self, to, service, proposal, silence)
+
+    def judge(self, service: str, method: Callable[[talk.Question], object]) -> None:
+        """Decide about proposals: the method returns whether it accepts. It may be ``async``, and raise a refusal."""
+        talk.judge(self, service, method)
+
+    def follow(
+        self,
+        to: str,
+        service: str,
+        question: dict[str, Any],
+        on_news: Callable[[dict[str, Any]], object],
+        *,
+        on_end: Callable[[talk.Result], object] | None = None,
+        silence: float = 5.0,
+    ) -> Subscription:
+        """Want news of one agent (FIPA Subscribe). Each comes once and in order, also when messages get lost.
+
+        For what all may hear, and of what only the newest counts, there are topics: :meth:`subscribe`.
+
+        :param on_news: is called with each, a dict
+        :param on_end: is called once when no more will come
+        """
+        return Subscription(self, talk.follow(self, to, service, question, on_news, on_end=on_end, silence=silence))
+
+    def admit(self, service: str, method: Callable[[talk.Subscriber], object]) -> None:
+        """Give news to others: the method is called with each subscriber, whom it tells now or later.
+
+        It raises a refusal for one that gets none.
+        """
+        talk.admit(self, service, method)
 
     # For people
 

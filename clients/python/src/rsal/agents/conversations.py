@@ -1,4 +1,7 @@
-"""Conversations by FIPA's protocols: a request (SC00026H) and a contract net (SC00029H). What is said is a dict."""
+"""Conversations by FIPA's protocols. What is said is a dict.
+
+These are Request (SC00026H), Contract Net (SC00029H), Propose (SC00036H) and Subscribe (SC00035H).
+"""
 
 from __future__ import annotations
 
@@ -70,13 +73,21 @@ class Award:
     result: Result
 
 
+def check_name(to: object) -> None:
+    """Raise TypeError unless it is a text: names are what agents are told apart by."""
+    if not isinstance(to, str):
+        remedy = " Maybe add '.name' to it." if isinstance(getattr(to, "name", None), str) else ""
+        raise TypeError(f"A message goes to the name of an agent, not to '{type(to).__name__}'.{remedy}")
+
+
 def _result(words: dict[str, Any]) -> Result:
     return Result(words["how"], words["content"], words["why"])
 
 
 def ask(agent: Agent, to: str, service: str, question: dict[str, Any], silence: float) -> Pending[Result]:
     """Begin a FIPA Request; see :meth:`Agent.ask`."""
-    pending: Pending[Result] = Pending()
+    check_name(to)
+    pending: Pending[Result] = Pending(agent._run)
     link = agent._link
 
     def heard(words: Any, _arrays: memoryview) -> None:
@@ -135,7 +146,11 @@ def call(
     within: float,
 ) -> Pending[list[Award]]:
     """Begin a FIPA Contract Net as its manager; see :meth:`Agent.call`."""
-    pending: Pending[list[Award]] = Pending()
+    if isinstance(to, str):
+        raise TypeError(f"A call goes to a list of names, not to the text '{to}'. Maybe write ['{to}'].")
+    for each in to:
+        check_name(each)
+    pending: Pending[list[Award]] = Pending(agent._run)
     link = agent._link
     open_bids: dict[str, dict[str, Any]] = {}
     awards: list[Award] = []
@@ -178,3 +193,139 @@ def bid(
             _reply(agent, words["dialogue"], perform, Question(words["sender"], words["content"]))
 
     link.do("bid", link.listen(heard), service)
+
+
+def propose(agent: Agent, to: str, service: str, proposal: dict[str, Any], silence: float) -> Pending[Result]:
+    """Begin a FIPA Propose; see :meth:`Agent.propose`."""
+    pending: Pending[Result] = Pending(agent._run)
+    link = agent._link
+
+    def heard(words: Any, _arrays: memoryview) -> None:
+        del link.heard[number]
+        pending._end(_result(words))
+
+    number = link.listen(heard)
+    link.do("suggest", number, to, service, encode(proposal), float(silence))
+    return pending
+
+
+def judge(agent: Agent, service: str, method: Callable[[Question], object]) -> None:
+    """Decide about proposals; see :meth:`Agent.judge`."""
+    link = agent._link
+
+    def decide(dialogue: int, accepted: object) -> None:
+        if not isinstance(accepted, bool):
+            raise TypeError(f"A proposal is accepted by True and rejected by False, not by '{accepted!r}'.")
+        if accepted:
+            link.do("inform", dialogue, {})
+        else:
+            link.do("refuse", dialogue, "")
+
+    async def later(dialogue: int, coroutine: Any) -> None:
+        try:
+            decide(dialogue, await coroutine)
+        except Refusal as why:
+            link.do("refuse", dialogue, str(why))
+
+    def heard(words: Any, _arrays: memoryview) -> None:
+        dialogue = words["dialogue"]
+        try:
+            result = method(Question(words["sender"], words["content"]))
+        except Refusal as why:
+            link.do("refuse", dialogue, str(why))
+            return
+        if inspect.iscoroutine(result):
+            agent.spawn(later(dialogue, result))
+        else:
+            decide(dialogue, result)
+
+    link.do("judge", link.listen(heard), service)
+
+
+class Subscriber:
+    """An agent that wants news; see :meth:`Agent.admit`. What is told to one that has gone does nothing."""
+
+    def __init__(self, agent: Agent, dialogue: int, sender: str, content: dict[str, Any]) -> None:
+        self.sender = sender
+        """Name of that agent."""
+        self.content = content
+        """What it wants news about."""
+        self._agent = agent
+        self._dialogue = dialogue
+        self._gone = False
+        self._on_end: Callable[[], object] | None = None
+
+    @property
+    def gone(self) -> bool:
+        """Whether it does not want news any more."""
+        return self._gone
+
+    def inform(self, news: dict[str, Any]) -> None:
+        """Tell it news. Each comes once and in order."""
+        if not self._gone:
+            self._agent._link.do("tell", self._dialogue, encode(news))
+
+    def fail(self, why: str) -> None:
+        """Tell it that there will be no more."""
+        self._end(why, refused=False)
+
+    def on_end(self, method: Callable[[], object]) -> None:
+        """Call a method when it does not want news any more, or has gone."""
+        self._on_end = method
+
+    def _end(self, why: str, refused: bool) -> None:
+        if not self._gone:
+            self._gone = True
+            self._agent._link.do("endTelling", self._dialogue, why, refused)
+
+    def _leave(self) -> None:
+        if not self._gone:
+            self._gone = True
+            if self._on_end is not None:
+                self._agent._run(self._on_end)
+
+
+def admit(agent: Agent, service: str, method: Callable[[Subscriber], object]) -> None:
+    """Admit subscribers; see :meth:`Agent.admit`."""
+    subscribers: dict[int, Subscriber] = {}
+
+    def heard(words: Any, _arrays: memoryview) -> None:
+        if "over" in words:
+            known = subscribers.pop(words["over"], None)
+            if known is not None:
+                known._leave()
+            return
+        subscriber = Subscriber(agent, words["dialogue"], words["sender"], words["content"])
+        try:
+            agent._run(method, subscriber)
+            subscribers[words["dialogue"]] = subscriber
+        except Refusal as why:
+            subscriber._end(str(why), refused=True)
+
+    agent._link.do("admit", agent._link.listen(heard), service)
+
+
+def follow(
+    agent: Agent,
+    to: str,
+    service: str,
+    question: dict[str, Any],
+    on_news: Callable[[dict[str, Any]], object],
+    *,
+    on_end: Callable[[Result], object] | None,
+    silence: float,
+) -> int:
+    """Begin a FIPA Subscribe; see :meth:`Agent.follow`."""
+    link = agent._link
+
+    def heard(words: Any, _arrays: memoryview) -> None:
+        if words["how"] == "":
+            agent._run(on_news, words["content"])
+            return
+        del link.heard[number]
+        if on_end is not None:
+            agent._run(on_end, _result(words))
+
+    number = link.listen(heard)
+    link.do("follow", number, to, service, encode(question), float(silence))
+    return number

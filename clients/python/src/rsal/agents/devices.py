@@ -6,9 +6,13 @@ listener.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
+
+import numpy as np
+import numpy.typing as npt
 
 from rsal.agents import values as v
 from rsal.agents.convert import decoder, encode
@@ -49,11 +53,15 @@ class Subscription:
 
 
 class Goal(Pending[R], Generic[F, R]):
-    """A goal under way: ``result = await goal``. A failure is a result, no exception."""
+    """A goal under way: ``result = await goal``. A failure is a result, no exception.
+
+    Only when the robot's system cannot even say how it ended, as when it is gone, ``await`` raises :class:`RsalError`.
+    """
 
     def __init__(self, agent: Agent, feedback: Any) -> None:
-        super().__init__()
+        super().__init__(agent._run)
         self._agent = agent
+        self._reports: list[int] = []
         self._feedback = feedback
         self._number = 0
 
@@ -63,14 +71,31 @@ class Goal(Pending[R], Generic[F, R]):
             self._agent._link.do("cancelGoal", self._number)
 
     def on_feedback(self, listener: Callable[[Stamped[F]], object]) -> None:
-        """Call a method with each report of progress."""
+        """Call a method with each report of progress, until the goal has ended."""
+        if self.done:
+            return
         decode = decoder(self._feedback)
         run = self._agent._run
 
         def heard(words: Any, arrays: memoryview) -> None:
             run(listener, Stamped(words["time"], words["frame"], decode(words["value"], arrays)))
 
-        self._agent._link.do("feedback", self._number, self._agent._link.listen(heard))
+        number = self._agent._link.listen(heard)
+        self._reports.append(number)
+        self._agent._link.do("feedback", self._number, number)
+
+    def _forget_reports(self) -> None:
+        for number in self._reports:
+            self._agent._link.cancel(number)
+        self._reports.clear()
+
+    def _end(self, value: R) -> None:
+        self._forget_reports()
+        super()._end(value)
+
+    def _fail(self, why: str, place: str) -> None:
+        self._forget_reports()
+        super()._fail(why, place)
 
 
 class Device:
@@ -96,7 +121,10 @@ class Device:
 
         def heard(words: Any, arrays: memoryview) -> None:
             del link.heard[number]
-            pending._end(decode(words, arrays))
+            if "error" in words:
+                pending._fail(words["error"], words["place"])
+            else:
+                pending._end(decode(words["value"], arrays))
 
         number = link.listen(heard)
         pending._number = number
@@ -156,7 +184,8 @@ class DriveBase(Sensor[v.Odometry]):
 
         Without a new command the base stops by itself after 0.5 s.
         """
-        self._do("command", v.Twist2d(float(forward), float(left), float(turn)))
+        velocity = {"vx": float(forward), "vy": float(left), "omega": float(turn)}  # Twist2d, without making one
+        self._agent._link.do("call", 0, self._index, "command", [velocity])
 
     def stop(self) -> None:
         """Command a velocity of 0."""
@@ -198,7 +227,7 @@ class Localizer(Sensor[v.PoseEstimate]):
 
     def relocalize(self, belief: v.PoseEstimate) -> Pending[None]:
         """Start again from an estimate; ends when the next reading follows it."""
-        found: Pending[None] = self._later(Pending(), None, "relocalize", belief)
+        found: Pending[None] = self._later(Pending(self._agent._run), None, "relocalize", belief)
         return found
 
     @property
@@ -287,7 +316,7 @@ class Planner(Device):
     def plan(self, map_from_start: v.Pose2d, map_from_goal: v.Pose2d) -> Pending[v.PlannerFound | v.PlannerNoPath]:
         """Plan a path between two poses in the map frame."""
         found: Pending[v.PlannerFound | v.PlannerNoPath] = self._later(
-            Pending(), v.PlannerFound | v.PlannerNoPath, "plan", map_from_start, map_from_goal
+            Pending(self._agent._run), v.PlannerFound | v.PlannerNoPath, "plan", map_from_start, map_from_goal
         )
         return found
 
@@ -295,8 +324,92 @@ class Planner(Device):
         self, map_from_start: v.Pose2d, map_from_goals: list[v.Pose2d], near: float = float("inf")
     ) -> Pending[list[float]]:
         """Costs of the paths to several places, in their order [m]; ``inf`` where there is none."""
-        found: Pending[list[float]] = self._later(Pending(), list[float], "costs", map_from_start, map_from_goals, near)
+        found: Pending[list[float]] = self._later(
+            Pending(self._agent._run), list[float], "costs", map_from_start, map_from_goals, near
+        )
         return found
+
+
+@dataclass(frozen=True, eq=False)
+class Percept:
+    """What a robot senses, for a behavior.
+
+    :param time: when [s]
+    :param ranges: distance from the base to the nearest thing in each of 180 equal sectors [m], counter-clockwise from
+        straight behind; ``inf`` where nothing is, NaN where no sensor looks
+    """
+
+    time: float
+    odometry: v.Odometry
+    ranges: npt.NDArray[np.float32]
+
+    def nearest(self, right: float = -math.pi, left: float = math.pi) -> float:
+        """Return the least distance between two directions [m].
+
+        Directions are in the robot's frame [rad], 0 ahead, positive to the left. ``inf`` where nothing is.
+        """
+        width = 2 * math.pi / len(self.ranges)
+        begin = max(0, math.floor((right + math.pi) / width))
+        ranges = self.ranges[begin : max(begin, math.floor((left + math.pi) / width)) + 1]
+        known = ranges[~np.isnan(ranges)]
+        return float(known.min()) if len(known) else math.inf
+
+
+class Pilot(Sensor[v.Decision]):
+    """Drives the robot by behaviors, which keep it off obstacles. Readings are what the layers of behaviors decided."""
+
+    contract = "Pilot"
+    reading = v.Decision
+    _own = 0
+
+    def engage(self, behavior: str | Callable[[Percept], v.Twist2d | None], name: str = "own") -> None:
+        """Let a behavior drive from now on, in place of the one before.
+
+        :param behavior: one that RSAL has, ``wander`` or ``wall-follow``; or a method of your own, which is called ten
+            times a second with what the robot senses, and returns how it should move, or ``None`` to stand still
+        :param name: of your own, for people
+
+        Layers above it avoid collisions, free the robot when it is stuck, and limit speeds. The robot moves by what the
+        method returned 0.1 s before; it stands when the method did not return for 0.5 s.
+        """
+        link = self._agent._link
+        link.heard.pop(self._own, None)
+        self._own = 0
+        if isinstance(behavior, str):
+            link.do("engage", 0, self._index, behavior)
+            return
+        decode = decoder(Percept)
+
+        def heard(words: Any, arrays: memoryview) -> None:
+            wanted = behavior(decode(words, arrays))
+            if wanted is not None and not isinstance(wanted, v.Twist2d):
+                raise TypeError(f"A behavior returns a Twist2d or None, not '{type(wanted).__name__}'.")
+            link.do("velocity", number, encode(wanted or v.Twist2d(0.0, 0.0, 0.0)))
+
+        number = self._own = link.listen(heard)
+        link.do("engage", number, self._index, name)
+
+    def release(self) -> None:
+        """Stand still, and let others drive."""
+        self._do("release")
+
+    @property
+    def engaged(self) -> bool:
+        """Whether a behavior drives."""
+        return bool(self._ask(bool, "engaged"))
+
+    def pause(self) -> None:
+        """Stand still and keep the behavior."""
+        self._do("pause")
+
+    def resume(self) -> None:
+        """Resume after a pause."""
+        self._do("resume")
+
+    @property
+    def paused(self) -> bool:
+        """Whether it stands still by :meth:`pause`."""
+        return bool(self._ask(bool, "paused"))
 
 
 class PlaceFinder(Device):
@@ -316,7 +429,7 @@ class PlaceFinder(Device):
     ) -> Pending[v.PlaceFinderFound | v.PlaceFinderNone]:
         """Find places in the map frame that a robot can reach, ``clearance`` [m] from all cells that are not free."""
         found: Pending[v.PlaceFinderFound | v.PlaceFinderNone] = self._later(
-            Pending(),
+            Pending(self._agent._run),
             v.PlaceFinderFound | v.PlaceFinderNone,
             "find",
             map_from_start,
@@ -566,8 +679,8 @@ class Simulation(Device):
 CONTRACTS: dict[str, type[Device]] = {
     kind.contract: kind
     for kind in (
-        DriveBase, LaserScanner, SonarArray, Localizer, Navigator, Planner, PlaceFinder, Docking, Gripper, Actuator,
-        Light, Mapper, BlobFinder, FiducialFinder, Bumper, Battery, Camera, Gnss, Imu,
+        DriveBase, LaserScanner, SonarArray, Localizer, Navigator, Pilot, Planner, PlaceFinder, Docking, Gripper,
+        Actuator, Light, Mapper, BlobFinder, FiducialFinder, Bumper, Battery, Camera, Gnss, Imu,
     )
 }  # fmt: skip
 
@@ -625,6 +738,11 @@ class Robot:
     def navigator(self) -> Navigator:
         """The first device of this type; ``LookupError`` if the robot has none."""
         return self.require(Navigator)
+
+    @property
+    def pilot(self) -> Pilot:
+        """The first device of this type; ``LookupError`` if the robot has none."""
+        return self.require(Pilot)
 
     @property
     def planner(self) -> Planner:

@@ -76,7 +76,8 @@ class ScanMethods:
     def sector(self: LaserScan, right: float, left: float) -> npt.NDArray[np.float32]:  # type: ignore[misc]
         """Ranges of the beams between two directions in the robot's frame [rad], 0 ahead, positive to the left [m].
 
-        Ranges are as REP 117 has them: ``inf`` where nothing is, ``-inf`` where something is too close to measure.
+        Ranges are as REP 117 has them: ``inf`` where nothing is, ``-inf`` where something is too close to measure, NaN
+        where the sensor is broken. So do not take their least by ``min``: :meth:`nearest` does that.
         """
         first = self.base_from_laser.theta + self.angle_min
         step = self.angle_increment
@@ -88,6 +89,18 @@ class ScanMethods:
         return self.ranges[(bearings >= right) & (bearings <= left)]
 
     def nearest(self: LaserScan, right: float = -math.pi, left: float = math.pi) -> float:  # type: ignore[misc]
-        """Return the least range in a sector [m]; ``inf`` where nothing is."""
+        """Return the least range in a sector [m]; ``inf`` where nothing is, or nothing was measured.
+
+        Beams without a reading (NaN, and 0 where that is not too close) are left out. What is too close to measure is
+        at ``range_min``.
+        """
         ranges = self.sector(right, left)
-        return float(ranges.min()) if len(ranges) else math.inf
+        if not len(ranges):
+            return math.inf
+        least = float(ranges.min())
+        if least >= self.range_min and least > 0:  # nearly always; false with NaN
+            return least
+        if (ranges < self.range_min).any():
+            return self.range_min
+        measured = ranges[ranges > 0]
+        return float(measured.min()) if len(measured) else math.inf

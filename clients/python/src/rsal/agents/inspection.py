@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 import difflib
 import sys
+from importlib.abc import InspectLoader
+from importlib.machinery import ModuleSpec
 from typing import Any
 
 from rsal.protocol import Frames
@@ -13,6 +15,9 @@ KINDS = {"float": "NUMBER", "int": "INTEGER", "str": "TEXT", "bool": "FLAG"}
 BASES = {"Agent", "PolicyAgent"}
 """Names of the classes that agents inherit from."""
 KEYWORDS = ["min", "max", "unit", "choices", "robots", "description"]
+
+TAKEN = frozenset({*sys.stdlib_module_names, "rsal", "numpy"})
+"""Names of modules that are loaded when an agent begins, or that these load."""
 
 
 class _InvalidFileError(Exception):
@@ -59,8 +64,41 @@ def inspect(text: str, name: str, wanted: str) -> dict[str, Any]:
         "description": doc.split("\n\n")[0].replace("\n", " "),
         "parameters": list(parameters.values()),
         "needs": needs,
+        "warnings": _warnings(tree),
         "problems": [],
     }
+
+
+BLOCKING = {
+    "asyncio.run": "Start a coroutine by 'self.spawn(…)'; it waits for goals, requests and 'self.sleep(…)'.",
+    "asyncio.sleep": "Write 'await self.sleep(seconds)', which has the time of the run.",
+    "input": "Let people send messages: 'self.subscribe(Text, …)'.",
+    "time.sleep": "Write 'await self.sleep(seconds)', or 'self.after(seconds, …)', which have the time of the run.",
+}
+"""Functions that no agent should call, and what to write."""
+
+
+def _warnings(tree: ast.Module) -> list[dict[str, Any]]:
+    """Return calls for which the run, or all agents in Python, would wait."""
+    names = {"input": "input"}  # by what they are called in the file
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names.update({each.asname or each.name: each.name for each in node.names})
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            names.update({each.asname or each.name: f"{node.module}.{each.name}" for each in node.names})
+    found = []
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.Call):
+            continue
+        called = node.func
+        if isinstance(called, ast.Attribute) and isinstance(called.value, ast.Name):
+            name = f"{names.get(called.value.id, '')}.{called.attr}"
+        else:
+            name = names.get(called.id, "") if isinstance(called, ast.Name) else ""
+        if name in BLOCKING:
+            message = f"'{name}' makes the run wait, or all agents in Python in real time."
+            found.append(problem(node.lineno, node.col_offset + 1, message, BLOCKING[name]))
+    return sorted(found, key=lambda each: (each["line"], each["column"]))
 
 
 def _classes(tree: ast.Module) -> dict[str, ast.ClassDef]:
@@ -231,9 +269,46 @@ def _check(found: dict[str, Any], call: ast.Call) -> None:
             raise _InvalidFileError(call, f"The default of '{name}' does not fit: '{default}'.")
 
 
+def installed(module: str) -> tuple[str, str]:
+    """Return the path and the text of an installed module, without running it or the packages that it is in.
+
+    :raises LookupError: when there is none
+    """
+    found: ModuleSpec | None = None
+    where: list[str] | None = None
+    name = ""
+    for part in module.split("."):
+        name = f"{name}.{part}" if name else part
+        found = next((spec for finder in sys.meta_path if (spec := finder.find_spec(name, where)) is not None), None)
+        if found is None:
+            raise LookupError(f"There is no module '{name}' in '{sys.executable}'.")
+        where = list(found.submodule_search_locations or [])
+    text = found.loader.get_source(module) if found and isinstance(found.loader, InspectLoader) else None
+    if found is None or text is None:
+        raise LookupError(f"Module '{module}' has no text that could be read.")
+    return found.origin or module, text
+
+
+def answer(words: dict[str, Any]) -> dict[str, Any]:
+    """Return what the file of a question says of its agent."""
+    if not words["module"]:
+        for file in words["files"]:
+            name = file.split("/")[0].removesuffix(".py")
+            if name in TAKEN:
+                message = f"A module of an agent cannot be called '{name}': Python has one of that name."
+                return {"problems": [problem(1, 1, message, f"Give '{file}' another name.")]}
+        return inspect(words["text"], words["path"], words["class"])
+    try:
+        path, text = installed(words["module"])
+    except LookupError as error:
+        remedy = "Install the package for that Python, or name another one by RSAL_PYTHON=/path/to/python3."
+        return {"problems": [problem(1, 1, str(error), remedy)]}
+    return {**inspect(text, path, words["class"]), "file": path}
+
+
 def main() -> None:
     """Answers each frame with what the file in it says of its agent."""
     frames = Frames(sys.stdin.buffer, sys.stdout.buffer)
     while (question := frames.read()) is not None:
         words, _ = question
-        frames.write(inspect(words["text"], words["path"], words["class"]))
+        frames.write(answer(words))

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
 
 from rsal.protocol import VERSION, Frames
 
 
 def main() -> None:
-    """Take the pipes for frames: what else is read finds nothing, what else is written goes to stderr."""
+    """Take the pipes for frames: what else is read finds nothing, what else is written goes to stderr.
+
+    Ctrl-C on the terminal reaches this process too. RSAL ends the run then, after the agents' ``on_stop``.
+    """
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     source = os.fdopen(os.dup(0), "rb")
     sink = os.fdopen(os.dup(1), "wb", buffering=0)
     nothing = os.open(os.devnull, os.O_RDONLY)

@@ -788,6 +788,33 @@ class RangeArray:
 
 
 @dataclass(frozen=True, slots=True)
+class Opinion:
+    """What a layer wants.
+
+    :param twist: what the robot should do as far as this layer and those under it go
+    :param state: what the layer is about, for people; empty when there is nothing to tell
+    """
+
+    layer: str
+    twist: Twist2d
+    state: str
+
+
+@dataclass(frozen=True, slots=True)
+class Decision:
+    """What the layers of a pilot decided.
+
+    :param twist: velocity that the pilot commands [m/s, rad/s]
+    :param in_charge: the uppermost layer that changed the velocity of the layers below it; empty without layers
+    :param opinions: of all layers, the lowest first
+    """
+
+    twist: Twist2d
+    in_charge: str
+    opinions: list[Opinion]
+
+
+@dataclass(frozen=True, slots=True)
 class Placed:
     """As `SimulationControl.Placement.Placed` in Java."""
 

@@ -3,22 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Coroutine, Generator
+from inspect import iscoroutine
 from typing import Any, Generic, TypeVar
+
+from rsal.errors import RsalError
 
 T = TypeVar("T")
 
 
-class Pending(Generic[T]):
-    """Something that comes later, once: ``result = await pending``, or ``pending.on_result(self.on_arrival)``."""
+def _call(method: Callable[..., object], *arguments: Any) -> None:
+    result = method(*arguments)
+    if iscoroutine(result):
+        result.close()
+        raise TypeError(f"'{getattr(method, '__name__', method)}' is async, and nobody can begin it here.")
 
-    def __init__(self) -> None:
+
+class Pending(Generic[T]):
+    """Something that comes later, once: ``result = await pending``, or ``pending.on_result(self.on_arrival)``.
+
+    Where RSAL cannot do what was asked for, ``await`` raises :class:`RsalError`. Where nobody awaits it, that ends the
+    agent.
+    """
+
+    def __init__(self, run: Callable[..., object] = _call) -> None:
+        """``run`` calls listeners, and begins those that are async: it is ``_run`` of the agent."""
+        self._run = run
         self._done = False
         self._value: Any = None
-        self._listeners: list[Callable[[T], object]] = []
+        self._why = ""
+        self._listeners: list[Callable[[T], object] | Task] = []
 
     @property
     def done(self) -> bool:
-        """Whether the result is there."""
+        """Whether the result is there, or there will be none."""
         return self._done
 
     @property
@@ -28,22 +45,38 @@ class Pending(Generic[T]):
         return value
 
     def on_result(self, listener: Callable[[T], object]) -> None:
-        """Call a method with the result, when it comes; at once when it has come."""
-        if self._done:
-            listener(self._value)
-        else:
+        """Call a method with the result, when it comes; at once when it has come. It may be ``async``."""
+        if not self._done:
             self._listeners.append(listener)
+        elif not self._why:
+            self._run(listener, self._value)
 
     def _end(self, value: T) -> None:
         self._done = True
         self._value = value
         listeners, self._listeners = self._listeners, []
         for listener in listeners:
-            listener(value)
+            if isinstance(listener, Task):
+                listener.go_on(value)
+            else:
+                self._run(listener, value)
+
+    def _fail(self, why: str, place: str) -> None:
+        """End without a result, for a reason; ``place`` is where it was asked for."""
+        self._done = True
+        self._why = why or "There is no result."
+        listeners, self._listeners = self._listeners, []
+        tasks = [each for each in listeners if isinstance(each, Task)]
+        if not tasks:
+            raise RsalError(f"asked for at {place}: {self._why}")
+        for task in tasks:
+            task.go_on()
 
     def __await__(self) -> Generator[Any, Any, T]:
         if not self._done:
             yield self
+        if self._why:
+            raise RsalError(self._why)
         value: T = self._value
         return value
 
@@ -69,7 +102,10 @@ class Task:
         except StopIteration:
             self._over(self)
             return
-        waited.on_result(self.go_on)
+        if waited.done:
+            self.go_on()
+        else:
+            waited._listeners.append(self)
 
     def close(self) -> None:
         """End the coroutine early; its ``finally`` blocks run."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import builtins
 import importlib.abc
 import importlib.machinery
 import importlib.util
@@ -21,9 +22,9 @@ from typing import Any
 
 import rsal.agents.agent as contract
 from rsal.agents import devices
-from rsal.agents.link import HOME, Link
+from rsal.agents.link import HOME, Link, Outbox
 from rsal.agents.param import Parameter
-from rsal.protocol import VERSION, Frames
+from rsal.protocol import VERSION, Frames, encode
 
 NOTICE = "\x01"
 """Begins lines on stderr that are for RSAL and not for people."""
@@ -32,35 +33,105 @@ LOOK = 1.0
 """How often the watcher looks [s]."""
 
 
+MOST_WORDS = 10_000
+"""Of an exception [characters]."""
+
+MOST_FRAMES = 200
+"""Of a stack: an endless recursion has a thousand."""
+
+
+def printable(text: str) -> str:
+    """Return the text with escapes for characters that UTF-8 cannot have, as names of files may have them."""
+    return text.encode(errors="backslashreplace").decode()
+
+
 def notice(words: str) -> None:
     """Write a line for RSAL on stderr."""
     os.write(2, f"{NOTICE}{words}\n".encode())
 
 
+class Folder:
+    """The modules in one folder of a scenario. Those of the first folder have the names that their files say."""
+
+    def __init__(self, name: str, prefix: str) -> None:
+        self.name = name
+        self.prefix = prefix
+        self.texts: dict[str, tuple[str, str]] = {}  # path and text, by name of the module
+        self.packages: set[str] = set()  # names of folders in it
+        self.builtins = {**vars(builtins), "__import__": self._import}
+
+    def fits(self, folder: str, texts: dict[str, tuple[str, str]]) -> bool:
+        """Return whether these files can be in it: no other file has a name of theirs."""
+        return folder == self.name and all(self.texts.get(name, text) == text for name, text in texts.items())
+
+    def add(self, texts: dict[str, tuple[str, str]]) -> None:
+        """Add modules."""
+        self.texts.update(texts)
+        for name in texts:
+            for end in range(len(name)):
+                if name[end] == ".":
+                    self.packages.add(name[:end])
+
+    def _import(
+        self,
+        name: str,
+        globals: Any = None,  # noqa: A002 - of the function in whose place it is
+        locals: Any = None,  # noqa: A002
+        fromlist: Sequence[str] = (),
+        level: int = 0,
+    ) -> Any:
+        """``import helper`` in one of its modules means its own, also when another folder has such a module."""
+        top = name.partition(".")[0]
+        if level or (top not in self.texts and top not in self.packages):
+            return builtins.__import__(name, globals, locals, fromlist, level)
+        module = builtins.__import__(self.prefix + name, globals, locals, fromlist)
+        return module if fromlist else sys.modules[self.prefix + top]
+
+
 class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
-    """Modules of a scenario: files beside it, as RSAL has read them."""
+    """Modules of a scenario, and of one that joins it: files beside it, as RSAL has read them."""
 
     def __init__(self) -> None:
-        self._texts: dict[str, tuple[str, str]] = {}  # path and text, by name of the module
+        self._folders: list[Folder] = []
         self.paths: set[str] = set()
 
-    def add(self, texts: dict[str, str]) -> None:
-        """Add files as modules.
+    def add(self, folder: str, texts: dict[str, str]) -> str:
+        """Add files as modules, and return what their names begin with.
 
-        :raises ImportError: when there is another module of that name
+        :param folder: in which they are; ``parts/scan.py`` in it is module ``parts.scan``
         """
+        modules = {self._module(path.removeprefix(folder)): (path, text) for path, text in texts.items()}
+        found = next((each for each in self._folders if each.fits(folder, modules)), None)
+        if found is None:
+            count = len(self._folders) + 1
+            found = Folder(folder, "" if count == 1 else f"rsal_folder_{count}.")
+            self._folders.append(found)
+        found.add(modules)
         for path, text in texts.items():
-            name = self.module(path)
-            known = self._texts.setdefault(name, (path, text))
-            if known != (path, text):
-                raise ImportError(f"Files '{known[0]}' and '{path}' are both module '{name}'. Rename one of them.")
             self.paths.add(path)
             linecache.cache[path] = (len(text), None, text.splitlines(True), path)
+        return found.prefix
 
     @staticmethod
-    def module(path: str) -> str:
-        """Return the name of the module in a file."""
-        return path.rsplit("/", 1)[-1].removesuffix(".py")
+    def _module(path: str) -> str:
+        return path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+
+    def _find(self, fullname: str) -> tuple[Folder, str] | None:
+        """Return the folder of a module, and its name there."""
+        for folder in reversed(self._folders):
+            if fullname.startswith(folder.prefix):
+                return folder, fullname[len(folder.prefix) :]
+        return None
+
+    def _text(self, fullname: str) -> tuple[str, str]:
+        found = self._find(fullname)
+        if found is None:
+            raise ImportError(f"There is no module '{fullname}'.", name=fullname)
+        return found[0].texts[found[1]]
+
+    def is_package(self, fullname: str) -> bool:
+        """Return whether other modules are in it."""
+        return self._text(fullname)[0].endswith("/__init__.py")
 
     def find_spec(
         self,
@@ -69,18 +140,29 @@ class Files(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
         target: ModuleType | None = None,  # noqa: ARG002 - of the interface
     ) -> importlib.machinery.ModuleSpec | None:
         """Find a module among the files of the scenario."""
-        if fullname not in self._texts:
-            return None
-        return importlib.util.spec_from_loader(fullname, self, origin=self._texts[fullname][0])
+        found = self._find(fullname)
+        if found is not None and found[1] in found[0].texts:
+            return importlib.util.spec_from_loader(fullname, self, origin=found[0].texts[found[1]][0])
+        bare = any(folder.prefix == fullname + "." for folder in self._folders)
+        if bare or (found is not None and found[1] in found[0].packages):  # a folder without __init__.py
+            return importlib.machinery.ModuleSpec(fullname, None, is_package=True)
+        return None
 
     def get_source(self, fullname: str) -> str:
         """Return the text of a module."""
-        return self._texts[fullname][1]
+        return self._text(fullname)[1]
 
     def get_code(self, fullname: str) -> Any:
         """Compile the text of a module."""
-        path, text = self._texts[fullname]
+        path, text = self._text(fullname)
         return compile(text, path, "exec", dont_inherit=True)
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Run a module, whose imports mean modules of its folder first."""
+        found = self._find(module.__name__)
+        if found is not None and found[0].prefix:
+            vars(module)["__builtins__"] = found[0].builtins
+        super().exec_module(module)
 
 
 class Output(io.TextIOBase):
@@ -112,7 +194,7 @@ class Output(io.TextIOBase):
         if link is None:
             sys.stderr.write(line + "\n")
         else:
-            link.do("print", line)
+            link.do("print", printable(line))
 
 
 class Watcher(threading.Thread):
@@ -137,12 +219,13 @@ class Watcher(threading.Thread):
                 notice("debug")
             worker = self._worker
             now = worker.turns
-            if worker.turn is not None and now == before:
+            turn = worker.turn
+            if turn is not None and now == before:
                 frame = sys._current_frames().get(self._main or 0)
                 while frame is not None and frame.f_code.co_filename not in worker.files.paths:
                     frame = frame.f_back
                 if frame is not None:
-                    notice(f"at {frame.f_code.co_filename}:{frame.f_lineno} in {frame.f_code.co_name}")
+                    notice(f"at {turn.number} {frame.f_code.co_filename}:{frame.f_lineno} in {frame.f_code.co_name}")
             before = now
 
 
@@ -165,6 +248,7 @@ class Worker:
     def __init__(self, frames: Frames) -> None:
         self._frames = frames
         self._agents: dict[int, contract.Agent] = {}
+        self._outbox = Outbox(frames)
         self._output = Output(self)
         self.files = Files()
         self.turn: Link | None = None
@@ -177,60 +261,69 @@ class Worker:
         """Until RSAL ends the conversation."""
         import numpy as np  # noqa: PLC0415 - only its version is needed
 
-        self._frames.write(
+        frames = self._frames
+        frames.write(
             {"protocol": VERSION, "python": platform.python_version(), "numpy": np.__version__, "order": sys.byteorder}
         )
-        while (event := self._frames.read()) is not None:
+        outbox = self._outbox
+        while (event := frames.read()) is not None:
             words, arrays = event
-            if "end" in words:
-                self._end(words["agent"])
-            else:
-                self._frames.write(self._take(words, arrays))
+            for number in words["ended"]:
+                self._end(number)
+            now = words["time"]
+            for turn in words["turns"]:
+                outbox.add(self._take(turn, now, arrays))
+            outbox.send()
 
     def _end(self, number: int) -> None:
         agent = self._agents.pop(number, None)
         if agent is not None:
-            agent._link.ended = True
-            agent._link.asked = []
+            agent._link.ended = True  # its ``finally`` blocks run, but what they ask for is not done
             for task in list(agent._tasks):
                 try:
                     task.close()
                 except BaseException:  # it has ended; nobody waits for what it says
                     traceback.print_exc()
 
-    def _take(self, words: dict[str, Any], arrays: memoryview) -> dict[str, Any]:
+    def _take(self, words: dict[str, Any], now: float, arrays: memoryview) -> bytes:
         number = words["agent"]
         agent = self._agents.get(number)
-        link = Link(self._frames, number) if agent is None else agent._link
-        link.time = words["time"]
+        link = Link(self._frames, number, self._outbox) if agent is None else agent._link
+        link.time = now
         self.turns += 1
         self.turn = link
-        answer: dict[str, Any] = {}
+        failure = b""
         try:
-            if agent is None:
-                self._start(words, link)
-            elif "stop" in words:
-                agent._run(agent.on_stop)
-            else:
-                heard = link.heard.get(words["id"])
-                if heard is not None:
-                    heard(words["value"], arrays)
-        except (Exception, SystemExit) as error:
-            answer["failed"] = self._failure(error)
-        self._output.over()
+            try:
+                if agent is None:
+                    self._start(number, words["start"], link)
+                elif "stop" in words:
+                    agent._run(agent.on_stop)
+                else:
+                    for event in words["events"]:
+                        heard = link.heard.get(event["id"])
+                        if heard is not None:
+                            heard(event["value"], arrays)
+            finally:
+                self._output.over()
+        except BaseException as error:  # this agent ends, and no other one: also by CancelledError and SystemExit
+            failure = b',"failed":' + encode(self._failure(error))
         self.turn = None
-        answer["do"], link.asked = link.asked, []
-        return answer
+        return b'{"agent":%d,"do":%b%b}' % (number, link.take(), failure)
 
-    def _start(self, words: dict[str, Any], link: Link) -> None:
-        self.files.add(words["files"])
-        module = importlib.import_module(self.files.module(words["path"]))
+    def _start(self, number: int, words: dict[str, Any], link: Link) -> None:
+        if words["files"]:
+            module = importlib.import_module(self.files.add(words["folder"], words["files"]) + words["module"])
+        else:  # one that is installed
+            module = importlib.import_module(words["module"])
+            self.files.paths.add(module.__file__ or "")
         kind = getattr(module, words["class"])
         if not isinstance(kind, type) or not issubclass(kind, contract.Agent):
             raise TypeError(f"'{words['class']}' does not inherit from 'rsal.Agent'.")
         agent: contract.Agent = kind.__new__(kind)
         agent._link = link
         agent._tasks = []
+        agent._boards = {}
         agent._rng = None
         agent._seed = words["seed"]
         agent.random = random.Random(words["seed"])  # noqa: S311 - of a simulation, by its seed
@@ -241,7 +334,7 @@ class Worker:
         for name, value in words["arguments"].items():
             if isinstance(getattr(kind, name, None), Parameter):
                 setattr(agent, name, value)
-        self._agents[words["agent"]] = agent
+        self._agents[number] = agent
         agent.__init__()  # type: ignore[misc] # after all that it may use is there
         agent._run(agent.on_start)
 
@@ -250,12 +343,17 @@ class Worker:
         own = [frame for frame in stack if frame.filename in self.files.paths]
         others = [frame for frame in stack if not frame.filename.startswith((HOME, "<frozen"))]
         where = next(reversed(own or others), None)
-        words = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+        words = type(error).__name__
+        try:
+            words = f"{words}: {error}" if str(error) else words
+        except Exception:  # of an exception that has no words either
+            traceback.print_exc()
         if isinstance(error, SyntaxError) and error.filename:
             words = f"{error.filename}:{error.lineno}: SyntaxError: {error.msg}"
         elif where is not None:
             words = f"{where.filename}:{where.lineno} in {where.name}: {words}"
-        return {"message": words, "frames": [[each.filename, each.lineno or 0, each.name] for each in reversed(stack)]}
+        frames = [[each.filename, each.lineno or 0, each.name] for each in reversed(stack[-MOST_FRAMES:])]
+        return {"message": printable(words[:MOST_WORDS]), "frames": frames}
 
 
 def work(frames: Frames) -> None:

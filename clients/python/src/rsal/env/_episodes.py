@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rsal.env._spec import Spec
-from rsal.env._view import Before, Reward, Rules, View
+from rsal.env._view import Before, Leave, Reward, Rules, View
 from rsal.env._worlds import Floats, Layout, Worlds
 from rsal.launch import RsalError
 
@@ -28,6 +28,8 @@ class Step:
     observations: Floats
     rewards: Floats
     """By world and learner."""
+    leaving: npt.NDArray[np.bool_]
+    """By world and learner: whether it leaves before the others."""
     terminated: npt.NDArray[np.bool_]
     truncated: npt.NDArray[np.bool_]
     endings: dict[int, dict[str, Any]]
@@ -38,12 +40,20 @@ class Episodes:
     """Worlds with rewards. Their process starts when it is needed first, in the process that needs it."""
 
     def __init__(
-        self, spec: Spec, count: int, threads: int | None, reward: Reward | str | None, max_steps: int | None
+        self,
+        spec: Spec,
+        count: int,
+        threads: int | None,
+        reward: Reward | str | None,
+        max_steps: int | None,
+        *,
+        leave: Leave | None = None,
     ) -> None:
         self.spec = spec
         self.count = whole("num_envs", count)
         self._threads = min(self.count, os.cpu_count() or 1) if threads is None else whole("threads", threads)
         self._reward = reward
+        self._leave = leave
         self._max_steps = None if max_steps is None else whole("max_steps", max_steps)
         self._worlds: Worlds | None = None
         self._layout: Layout | None = None
@@ -141,6 +151,7 @@ class Episodes:
         running = ~self._over
         self._steps += running
         rewards = self._rewards(given, over)
+        leaving = self._leaving(given, over)
         self._look()
         terminated = np.zeros(self.count, bool)
         truncated = np.zeros(self.count, bool) if self._max_steps is None else self._steps >= self._max_steps
@@ -163,11 +174,11 @@ class Episodes:
                     f"Agent '{agent}' failed in an episode of '{self.spec.scenario}': {why}", RuntimeWarning, 4
                 )
         self._over |= terminated | truncated
-        return Step(worlds.observations, rewards, terminated.copy(), truncated, endings)
+        return Step(worlds.observations, rewards, leaving, terminated.copy(), truncated, endings)
 
     def _look(self) -> None:
         """Remember what a reward may compare with, as the next step writes into the same arrays."""
-        if callable(self._reward):
+        if callable(self._reward) or self._leave is not None:
             worlds = self.worlds
             self._before = Before(worlds.observations.copy(), worlds.poses.copy(), worlds.collisions.copy())
 
@@ -196,28 +207,37 @@ class Episodes:
                 rewards[world] = 0 if known is None else value - known
                 self._measured[world] = value
         elif self._reward is not None:
-            before = cast(Before, self._before)
-            actions = given.reshape(self.count, len(layout.learners), -1)
-            new = worlds.collisions - before.collisions
             for world in map(int, np.flatnonzero(~self._over)):
-                view = View(
-                    layout=layout,
-                    world=world,
-                    observations=worlds.observations[world],
-                    actions=actions[world],
-                    all_poses=worlds.poses[world],
-                    all_collisions=worlds.collisions[world],
-                    new_collisions=new[world],
-                    time=float(self._steps[world]) * layout.period,
-                    outcome=over.get(world, ""),
-                    metrics=lambda world=world: worlds.metrics()[world],  # type: ignore[misc]
-                    floor=self._floor,
-                    past=before,
-                )
-                reward = self._reward(view)
+                reward = self._reward(self._view(world, given, over))
                 if layout.learners:  # without any, only scores are asked for
                     rewards[world] = reward
         return rewards
+
+    def _leaving(self, given: Floats, over: dict[int, str]) -> npt.NDArray[np.bool_]:
+        leaving = np.zeros((self.count, len(self.worlds.layout.learners)), bool)
+        if self._leave is not None:
+            for world in map(int, np.flatnonzero(~self._over)):
+                leaving[world] = self._leave(self._view(world, given, over))
+        return leaving
+
+    def _view(self, world: int, given: Floats, over: dict[int, str]) -> View:
+        worlds = self.worlds
+        layout = worlds.layout
+        before = cast(Before, self._before)
+        return View(
+            layout=layout,
+            world=world,
+            observations=worlds.observations[world],
+            actions=given.reshape(self.count, len(layout.learners), -1)[world],
+            all_poses=worlds.poses[world],
+            all_collisions=worlds.collisions[world],
+            new_collisions=worlds.collisions[world] - before.collisions[world],
+            time=float(self._steps[world]) * layout.period,
+            outcome=over.get(world, ""),
+            metrics=lambda: worlds.metrics()[world],
+            floor=self._floor,
+            past=before,
+        )
 
     def _floor(self) -> tuple[npt.NDArray[np.int8], float, tuple[float, float]]:
         if self._map is None:

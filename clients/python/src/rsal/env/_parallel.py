@@ -14,13 +14,16 @@ from rsal.env._drawing import Picture, Pictures
 from rsal.env._episodes import Episodes
 from rsal.env._spaces import action_space, observation_space
 from rsal.env._spec import Spec
-from rsal.env._view import Reward
+from rsal.env._view import Leave, Reward
 from rsal.env._worlds import Floats, Layout
 from rsal.launch import RsalError
 
 
 class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
-    """Robots of one role learn together. All learners act in each step, until the episode ends for all of them."""
+    """Robots of one role learn together.
+
+    All learners act in each step until the episode ends for all of them, or until they leave.
+    """
 
     metadata: ClassVar[dict[str, Any]] = {"render_modes": ["rgb_array"], "is_parallelizable": True, "render_fps": 10.0}
 
@@ -31,9 +34,10 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
         reward: Reward | str | None = None,
         max_steps: int | None = None,
         render_mode: str | None = None,
+        leave: Leave | None = None,
     ) -> None:
-        self._made = (spec, reward, max_steps, render_mode)
-        self._episodes = Episodes(spec, 1, 1, reward, max_steps)
+        self._made = (spec, reward, max_steps, render_mode, leave)
+        self._episodes = Episodes(spec, 1, 1, reward, max_steps, leave=leave)
         self.metadata = {**type(self).metadata, "name": f"rsal/{spec.scenario}_v0"}  # type: ignore[misc]
         self.render_mode = render_mode
         self.agents: list[str] = []
@@ -85,8 +89,8 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
         return self._by_agent(observed), {agent: {} for agent in self.agents}
 
     def _by_agent(self, observed: Floats) -> dict[str, Floats]:
-        own = observed[0].copy()
-        return dict(zip(self.agents, own, strict=True))
+        own = dict(zip(self.possible_agents, observed[0].copy(), strict=True))
+        return {agent: own[agent] for agent in self.agents}
 
     def step(
         self, actions: dict[str, Any]
@@ -101,20 +105,29 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
         missing = [agent for agent in agents if agent not in actions]
         if missing:
             raise RsalError(f"There is no action of {', '.join(repr(agent) for agent in missing)}.")
-        given = np.array([actions[agent] for agent in agents], np.float32).reshape(1, len(agents), -1)
+        size = len(self._episodes.layout.action_fields)
+        still = np.zeros(size, np.float32)  # of those that have left
+        given = np.array(
+            [np.reshape(actions[agent], size) if agent in agents else still for agent in self.possible_agents],
+            np.float32,
+        )[np.newaxis]
         done = self._episodes.step(given)
         observations = self._by_agent(done.observations)
         terminated, truncated = bool(done.terminated[0]), bool(done.truncated[0])
         info = done.endings.get(0, {})
+        leaving = {agent for agent, leaves in zip(self.possible_agents, done.leaving[0], strict=True) if leaves}
+        staying = [agent for agent in agents if agent not in leaving]
+        if not staying and not info:
+            info = self._episodes.worlds.finish(0)
+        rewards = dict(zip(self.possible_agents, done.rewards[0], strict=True))
         result = (
             observations,
-            dict(zip(agents, done.rewards[0].tolist(), strict=True)),
-            dict.fromkeys(agents, terminated),
-            dict.fromkeys(agents, truncated),
+            {agent: float(rewards[agent]) for agent in agents},
+            {agent: terminated or agent in leaving for agent in agents},
+            {agent: truncated and agent not in leaving for agent in agents},
             {agent: dict(info) for agent in agents},
         )
-        if terminated or truncated:
-            self.agents = []
+        self.agents = [] if terminated or truncated else staying
         return result
 
     def state(self) -> Floats:
@@ -132,8 +145,10 @@ class ParallelScenario(ParallelEnv[str, Floats, Any]):  # type: ignore[misc]
         self.agents = []
 
 
-def _made(spec: Spec, reward: Reward | str | None, max_steps: int | None, render_mode: str | None) -> ParallelScenario:
-    return ParallelScenario(spec, reward=reward, max_steps=max_steps, render_mode=render_mode)
+def _made(
+    spec: Spec, reward: Reward | str | None, max_steps: int | None, render_mode: str | None, leave: Leave | None
+) -> ParallelScenario:
+    return ParallelScenario(spec, reward=reward, max_steps=max_steps, render_mode=render_mode, leave=leave)
 
 
 def parallel_env(
@@ -148,6 +163,7 @@ def parallel_env(
     max_steps: int | None = None,
     arguments: Mapping[str, Any] | None = None,
     render_mode: str | None = None,
+    leave: Leave | None = None,
 ) -> ParallelScenario:
     """Make a scenario an environment of PettingZoo.
 
@@ -163,6 +179,8 @@ def parallel_env(
     :param max_steps: steps of the environment after which an episode is truncated
     :param arguments: arguments of the scenario, for a curriculum
     :param render_mode: ``rgb_array`` for pictures by ``render()``; by default there are none
+    :param leave: a function of a :class:`View` which says of each learner whether it leaves after this step, as one
+        that was caught: it terminates alone, is in ``agents`` no more, and its robot stands
     """
     spec = Spec.of(
         scenario=scenario,
@@ -173,4 +191,4 @@ def parallel_env(
         steps=steps,
         arguments=arguments,
     )
-    return ParallelScenario(spec, reward=reward, max_steps=max_steps, render_mode=render_mode)
+    return ParallelScenario(spec, reward=reward, max_steps=max_steps, render_mode=render_mode, leave=leave)

@@ -103,6 +103,9 @@ def _unknown() -> dict[str, float]:
 Reward = Callable[[View], "npt.ArrayLike"]
 """Gives the reward of each learner after a step, or one number for all of them."""
 
+Leave = Callable[[View], "npt.ArrayLike"]
+"""Says of each learner whether it leaves its episode after a step."""
+
 
 class Rules:
     """A reward that also scores whole episodes: each end of an episode then has a ``score``."""

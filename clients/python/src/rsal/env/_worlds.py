@@ -17,13 +17,13 @@ import numpy.typing as npt
 
 from rsal import launch
 from rsal.env._spec import Spec
-from rsal.protocol import Frames, ProtocolError
+from rsal.protocol import Frames, ProtocolError, encode
 
 Floats = npt.NDArray[np.float32]
 Integers = npt.NDArray[np.int32]
 
 _LAST_WORDS = 4000  # characters of what a process has said on stderr
-_STEP = Frames.text({"request": "step"})
+_STEP = encode({"request": "step"})
 _PATIENCE = 5.0  # s for a process that is to end
 
 
@@ -193,7 +193,7 @@ class Worlds:
 
     def reset(self, worlds: Sequence[int], seeds: Sequence[int]) -> None:
         """Begin new episodes in some worlds."""
-        self._advance(Frames.text({"request": "reset", "worlds": list(worlds), "seeds": list(seeds)}))
+        self._advance(encode({"request": "reset", "worlds": list(worlds), "seeds": list(seeds)}))
 
     def metrics(self) -> list[dict[str, float]]:
         """Return the metrics of the scenario as they are now, of each world."""

@@ -18,6 +18,16 @@ public interface AgentLanguage {
         return type.endsWith(suffix());
     }
 
+    /// The pattern of what a scenario names as a type in this language, for the schema of scenarios.
+    default String pattern() {
+        return suffix().replace(".", "\\.") + "$";
+    }
+
+    /// The file that such a type is in; empty when it is in none of the scenario's.
+    default Optional<String> file(String type) {
+        return Optional.of(type);
+    }
+
     /// Names that mean something else in it, as `self`: no agent of a scenario that uses it can have them.
     default Set<String> takenNames() {
         return Set.of();
@@ -33,6 +43,15 @@ public interface AgentLanguage {
     /// Why no file in it can be read on this machine, and what to do, in sentences; empty where they can be.
     default Optional<String> unavailable() {
         return Optional.empty();
+    }
+
+    /// Many runs are to come, of which some may have agents in it: what each needs may be begun ahead, until that is
+    /// closed. Nothing by default.
+    ///
+    /// @param atOnce how many runs go on side by side
+    /// @param inAll how many there will be
+    default RunPreparation prepare(int atOnce, int inAll) {
+        return () -> {};
     }
 
     /// Reads an agent's file.

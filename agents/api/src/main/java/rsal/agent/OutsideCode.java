@@ -10,4 +10,7 @@ public interface OutsideCode {
 
     /// Whether somebody looks into it with a debugger, so that it may take as long as that needs.
     boolean isDebugged();
+
+    /// Ends that code at once, as it never returns: else it would go on when the run is over.
+    void kill();
 }

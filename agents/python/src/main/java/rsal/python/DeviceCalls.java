@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import rsal.behavior.Pilot;
 import rsal.device.Actuator;
 import rsal.device.Battery;
 import rsal.device.BlobFinder;
@@ -57,6 +58,7 @@ final class DeviceCalls {
                 Localizer.class,
                 Mapper.class,
                 Navigator.class,
+                Pilot.class,
                 PlaceFinder.class,
                 Planner.class,
                 SonarArray.class)) {
@@ -110,8 +112,12 @@ final class DeviceCalls {
         protected List<Method> computeValue(Class<?> type) {
             Set<Class<?>> contracts = new LinkedHashSet<>();
             addContracts(type, contracts);
+            if (type == Pilot.class) { // no interface has what it can do
+                contracts.add(type);
+            }
             return contracts.stream()
                     .flatMap(contract -> List.of(contract.getMethods()).stream())
+                    .filter(method -> method.getDeclaringClass() != Object.class)
                     .filter(method -> !Modifier.isStatic(method.getModifiers()))
                     .filter(method -> !method.isBridge())
                     .toList();

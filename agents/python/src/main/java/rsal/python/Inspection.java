@@ -3,11 +3,12 @@ package rsal.python;
 import java.io.EOFException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.SequencedMap;
-import java.util.concurrent.TimeUnit;
-import org.jspecify.annotations.Nullable;
 import rsal.frame.FramePipe;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
@@ -19,10 +20,12 @@ import rsal.settings.Problems;
 /// process of Python takes a tenth of a second. Safe for any thread.
 final class Inspection {
     private static final int MOST_KNOWN = 64;
-    private static final int PATIENCE = 20; // s; of a process that is told to end
+    private static final Duration PATIENCE = Duration.ofSeconds(30);
     private static final SequencedMap<Asked, Map<?, ?>> KNOWN = new LinkedHashMap<>();
 
-    private record Asked(String path, String className, String text) {}
+    /// @param module of an installed one; empty of a file
+    /// @param files all, as they are named in their folder
+    private record Asked(String path, String module, String className, String text, List<String> files) {}
 
     private Inspection() {}
 
@@ -30,13 +33,20 @@ final class Inspection {
     ///
     /// @throws InvalidSettings with all errors in the file, or when there is no Python that could read it
     static Map<?, ?> of(PythonSources sources, Location askedAt) {
-        Map<?, ?> found = known(new Asked(sources.path(), sources.className(), sources.text()), askedAt);
+        Map<?, ?> found = known(
+                new Asked(
+                        sources.path(),
+                        sources.isInstalled() ? sources.module() : "",
+                        sources.className(),
+                        sources.text(),
+                        sources.files()),
+                askedAt);
         var problems = new Problems();
         for (Object each : FromWords.list(found.get("problems"))) {
             Map<?, ?> problem = (Map<?, ?>) each;
             problems.add(
                     new Location(
-                            sources.path(),
+                            String.valueOf(Objects.requireNonNullElse(found.get("file"), sources.path())),
                             FromWords.integer(problem.get("line")),
                             FromWords.integer(problem.get("column"))),
                     String.valueOf(problem.get("message")),
@@ -49,50 +59,58 @@ final class Inspection {
     private static Map<?, ?> known(Asked asked, Location askedAt) {
         synchronized (KNOWN) {
             Map<?, ?> known = KNOWN.get(asked);
-            Map<?, ?> found = known == null ? ask(asked, askedAt) : known;
+            if (known != null) {
+                KNOWN.putLast(asked, known);
+                return known;
+            }
+        }
+        Map<?, ?> found = ask(asked, askedAt); // not on the lock: it takes a tenth of a second, or hangs
+        synchronized (KNOWN) {
             boolean needsAnother = found.get("class") == null; // packages may be installed, and errors repaired
-            if (!needsAnother) {
+            if (!needsAnother && asked.module.isEmpty()) { // a package may be changed where it is installed
                 KNOWN.putLast(asked, found);
             }
             if (KNOWN.size() > MOST_KNOWN) {
                 KNOWN.pollFirstEntry();
             }
-            return found;
         }
+        return found;
     }
 
     private static Map<?, ?> ask(Asked asked, Location askedAt) {
-        Process process = null;
+        Process process;
         try {
             process = Interpreter.start("inspection");
-            var frames = new FramePipe(process.getInputStream(), process.getOutputStream());
-            frames.write(to ->
-                    to.put("path", asked.path).put("class", asked.className).put("text", asked.text));
-            Map<?, ?> found = frames.read();
-            process.getOutputStream().close();
-            process.waitFor(PATIENCE, TimeUnit.SECONDS);
-            return found;
-        } catch (EOFException _) {
-            throw unusable(askedAt, asked.path, words(process));
         } catch (IOException e) {
             throw unusable(askedAt, asked.path, String.valueOf(e.getMessage()));
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw unusable(askedAt, asked.path, "it was interrupted");
+        }
+        try (var time = AnswerTime.of(process, PATIENCE)) {
+            return ask(asked, askedAt, process, time);
         } finally {
-            if (process != null) {
-                process.destroyForcibly();
-            }
+            process.destroyForcibly();
         }
     }
 
-    private static String words(@Nullable Process process) {
+    private static Map<?, ?> ask(Asked asked, Location askedAt, Process process, AnswerTime time) {
         try {
-            return process == null
-                    ? ""
-                    : new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8)
-                            .lines()
-                            .reduce("it ended", (_, last) -> last);
+            var frames = new FramePipe(process.getInputStream(), process.getOutputStream());
+            frames.write(to -> to.put("path", asked.path)
+                    .put("module", asked.module)
+                    .put("class", asked.className)
+                    .put("text", asked.text)
+                    .put("files", asked.files));
+            return frames.read();
+        } catch (IOException e) {
+            String why = e instanceof EOFException ? words(process) : String.valueOf(e.getMessage());
+            throw unusable(askedAt, asked.path, time.isOver() ? time.words() : why);
+        }
+    }
+
+    private static String words(Process process) {
+        try {
+            return new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8)
+                    .lines()
+                    .reduce("it ended", (_, last) -> last);
         } catch (IOException e) {
             return String.valueOf(e.getMessage());
         }

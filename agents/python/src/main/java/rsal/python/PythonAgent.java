@@ -1,5 +1,7 @@
 package rsal.python;
 
+import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -8,24 +10,20 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import rsal.agent.Agent;
 import rsal.agent.AgentContext;
+import rsal.agent.OutsideAgent;
 import rsal.agent.OutsideCode;
 import rsal.device.Device;
-import rsal.frame.FramePipe;
-import rsal.frame.ToWords;
 import rsal.robot.Robot;
+import rsal.time.Phase;
 
 /// A proxy of an agent that lives in a process of Python. What happens to it is sent there; what it asks for meanwhile
 /// is done here, on its lane. Its own code runs nowhere else, so that radios, faults, recordings and the page see an
 /// agent like any other.
-final class PythonAgent implements Agent {
-    private static final int LAST_WORDS = 200; // ms
-
+final class PythonAgent implements OutsideAgent {
     private final PythonType type;
     private final Map<String, Object> arguments;
     private @Nullable Life life;
@@ -36,7 +34,12 @@ final class PythonAgent implements Agent {
             PythonWorker worker,
             int number,
             PythonRequests requests,
-            CompletableFuture<Void> ended) {}
+            Lateness lateness,
+            CompletableFuture<Void> ended) {
+        Instant now() {
+            return self.scheduler().instant();
+        }
+    }
 
     /// @param arguments values of its parameters, by name
     PythonAgent(PythonType type, Map<String, Object> arguments) {
@@ -48,34 +51,49 @@ final class PythonAgent implements Agent {
     public void start(AgentContext self) {
         PythonWorker worker = PythonWorker.enter(self.scheduler().run());
         var requests = new PythonRequests(self, this::deliver);
-        var own = new Life(self, worker, worker.number(), requests, new CompletableFuture<>());
+        int number = worker.number(self.name());
+        var own =
+                new Life(self, worker, number, requests, new Lateness(self, worker, number), new CompletableFuture<>());
         life = own;
         self.atEnd(() -> end(own));
         self.outside(new OutsideCode() {
             @Override
             public Optional<String> place() {
-                return worker.place();
+                return worker.place(number);
             }
 
             @Override
             public boolean isDebugged() {
                 return worker.isDebugged();
             }
+
+            @Override
+            public void kill() {
+                worker.kill();
+            }
         });
-        send(own, 0, false, to -> begin(own, to));
+        var words = Map.of("agent", number, "start", described(own));
+        if (worker.postman().isEmpty()) {
+            worker.turns().start(number, own.now(), words, requests);
+        } else {
+            post(own, 0, false, turns -> turns.start(number, own.now(), words, new FarPeer(own)));
+        }
     }
 
-    private void begin(Life own, ToWords to) {
+    private Map<String, Object> described(Life own) {
         AgentContext self = own.self;
-        to.put("files", type.sources().texts())
-                .put("path", type.sources().path())
-                .put("class", type.className())
-                .put("name", self.name())
-                .put("role", self.role())
-                .put("seed", own.requests.seed())
-                .put("simulation", own.requests.simulation().isPresent())
-                .put("robot", own.requests.robot().map(PythonAgent::described))
-                .put("arguments", arguments);
+        var words = new LinkedHashMap<String, Object>();
+        words.put("files", type.sources().texts());
+        words.put("folder", type.sources().folder());
+        words.put("module", type.sources().module());
+        words.put("class", type.className());
+        words.put("name", self.name());
+        words.put("role", self.role());
+        words.put("seed", own.requests.seed());
+        words.put("simulation", own.requests.simulation().isPresent());
+        words.put("robot", own.requests.robot().map(PythonAgent::described));
+        words.put("arguments", arguments);
+        return words;
     }
 
     private static Map<String, Object> described(Robot robot) {
@@ -96,33 +114,55 @@ final class PythonAgent implements Agent {
     }
 
     @Override
-    public void stop(AgentContext self) {
+    public CompletionStage<Runnable> lastWords(AgentContext self) {
         Life own = life;
+        life = null; // it hears of nothing that happens after that
+        Runnable nothing = () -> {};
         if (own == null) {
-            return;
+            return CompletableFuture.completedFuture(nothing);
         }
         if (own.worker.postman().isEmpty()) {
-            own.worker.exchange(to -> head(own, to).put("stop", true), own.requests);
-            return;
+            own.worker.turns().stop(own.number, own.now(), own.requests);
+            return CompletableFuture.completedFuture(nothing);
         }
-        var said = new CompletableFuture<List<?>>();
-        send(own, 0, false, to -> to.put("stop", true), new PythonWorker.Peer() {
-            @Override
-            public void perform(List<?> asked) {
-                said.complete(asked);
-            }
-
-            @Override
-            public @Nullable Object answer(List<?> asked) {
-                throw new IllegalStateException("The agent is stopped and can't be asked any more.");
+        var words = new LastWords(own.requests);
+        var said = new CompletableFuture<Runnable>();
+        post(own, 0, false, turns -> {
+            try {
+                turns.stop(own.number, own.now(), words);
+                said.complete(words);
+            } catch (RuntimeException e) {
+                said.complete(() -> {
+                    words.run();
+                    throw e;
+                });
             }
         });
-        try {
-            own.requests.perform(said.get(LAST_WORDS, TimeUnit.MILLISECONDS));
-        } catch (TimeoutException | ExecutionException _) {
-            // the run does not wait for one that has more to say
-        } catch (InterruptedException _) {
-            Thread.currentThread().interrupt();
+        return said;
+    }
+
+    /// What Python asks for when its agent is stopped in real time.
+    private static final class LastWords implements PythonTurns.Peer, Runnable {
+        private final PythonRequests requests;
+        private final List<Object> all = new ArrayList<>();
+
+        LastWords(PythonRequests requests) {
+            this.requests = requests;
+        }
+
+        @Override
+        public void perform(List<?> asked) {
+            all.addAll(asked);
+        }
+
+        @Override
+        public @Nullable Object answer(List<?> asked) {
+            throw new IllegalStateException("The agent is stopped and can't be asked any more.");
+        }
+
+        @Override
+        public void run() {
+            requests.perform(all);
         }
     }
 
@@ -130,7 +170,9 @@ final class PythonAgent implements Agent {
         own.ended.complete(null);
         own.worker
                 .postman()
-                .ifPresentOrElse(postman -> postman.forget(own.number), () -> own.worker.forget(own.number));
+                .ifPresentOrElse(
+                        postman -> postman.forget(own.number, own.now()),
+                        () -> own.worker.turns().end(own.number));
         own.worker.leave();
     }
 
@@ -143,44 +185,48 @@ final class PythonAgent implements Agent {
         if (own == null) {
             return;
         }
-        if (own.worker.isBusy()) { // it follows from something that Python asks for just now
-            own.self.scheduler().execute(() -> deliver(number, newest, value));
-        } else {
-            send(own, number, newest, to -> to.put("id", number).put("value", Optional.ofNullable(value)));
+        var told = Optional.ofNullable(value);
+        if (own.worker.postman().isPresent()) {
+            post(own, number, newest, turns -> turns.hear(own.number, own.now(), number, told));
+        } else if (own.worker.turns().gather(own.number, number, told)) {
+            comeLater(own);
         }
     }
 
-    private void send(Life own, int number, boolean newest, FramePipe.Content content) {
-        if (own.worker.postman().isEmpty()) {
-            own.worker.exchange(to -> content.write(head(own, to)), own.requests);
-        } else {
-            send(own, number, newest, content, new FarPeer(own));
-        }
+    /// After all that happens to the agents of the run in this phase of the instant.
+    private static void comeLater(Life own) {
+        own.self.scheduler().after(Duration.ZERO, Phase.THINK, () -> {
+            if (!own.worker.turns().take(own.number, own.now())) {
+                comeLater(own);
+            }
+        });
     }
 
-    private static void send(Life own, int number, boolean newest, FramePipe.Content content, PythonWorker.Peer peer) {
-        Runnable bring = () -> {
+    private static void post(Life own, int number, boolean newest, Consumer<PythonTurns> turn) {
+        Instant posted = own.now();
+        own.lateness.posted(posted);
+        Consumer<Instant> bring = since -> {
             if (own.ended.isDone()) {
                 return;
             }
+            Instant now = own.now();
+            own.lateness.brought(since, now);
+            own.worker.begin(now);
             try {
-                own.worker.exchange(to -> content.write(head(own, to)), peer);
+                turn.accept(own.worker.turns());
             } catch (RuntimeException e) {
                 own.self.scheduler().execute(() -> {
                     throw e;
                 });
+            } finally {
+                own.worker.end();
             }
         };
-        own.worker.postman().orElseThrow().post(own.number, new Postman.Letter(number, newest, bring));
-    }
-
-    private static ToWords head(Life own, ToWords to) {
-        return to.put("agent", own.number)
-                .put("time", ToWords.seconds(own.self.scheduler().instant()));
+        own.worker.postman().orElseThrow().post(own.number, new Postman.Letter(number, newest, posted, bring));
     }
 
     /// What Python asks for in real time, on the thread that waits for it: it is done on the agent's lane.
-    private record FarPeer(Life own) implements PythonWorker.Peer {
+    private record FarPeer(Life own) implements PythonTurns.Peer {
         @Override
         public void perform(List<?> asked) {
             if (!asked.isEmpty()) {

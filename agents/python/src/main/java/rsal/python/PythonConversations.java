@@ -9,16 +9,22 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 import rsal.agent.protocol.ContractNet;
+import rsal.agent.protocol.Conversation;
 import rsal.agent.protocol.ConversationResult;
+import rsal.agent.protocol.Propose;
 import rsal.agent.protocol.Request;
 import rsal.agent.protocol.RetryPolicy;
+import rsal.agent.protocol.Subscribe;
+import rsal.device.Subscription;
 import rsal.python.PythonRequests.Heard;
 
-/// The conversations of an agent in Python: requests and contract nets, about maps. On the agent's lane.
+/// The conversations of an agent in Python: requests, contract nets, proposals and subscriptions, about maps. On the
+/// agent's lane.
 @SuppressWarnings("rawtypes") // the contents of a conversation are told by a class, which has no parameters
 final class PythonConversations {
     private final AgentContext self;
@@ -26,11 +32,17 @@ final class PythonConversations {
     private final Map<String, Request<Map, Map>> requests = new HashMap<>(); // by service
     private final Map<String, ContractNet<Map, Map, Map>> nets = new HashMap<>(); // by service
     private final Map<Integer, BiConsumer<String, Object>> dialogues = new HashMap<>(); // what Python can say in each
+    private final Map<String, Propose<Map>> proposals = new HashMap<>(); // by service
+    private final Map<String, Subscribe<Map, Map>> news = new HashMap<>(); // by service
+    private final Map<Integer, Subscribe.Subscriber<Map, Map>> subscribers = new HashMap<>(); // that want news
+    private final Map<Integer, Subscription> held;
     private int begun;
 
-    PythonConversations(AgentContext self, Heard heard) {
+    /// @param held what Python may cancel, by number
+    PythonConversations(AgentContext self, Heard heard, Map<Integer, Subscription> held) {
         this.self = self;
         this.heard = heard;
+        this.held = held;
     }
 
     void perform(PythonRequests.Request asked) {
@@ -39,6 +51,11 @@ final class PythonConversations {
             case "answer" -> answer(asked.number(0), asked.text(1));
             case "tender" -> tender(asked);
             case "bid" -> bid(asked.number(0), asked.text(1));
+            case "suggest" -> suggest(asked);
+            case "judge" -> judge(asked.number(0), asked.text(1));
+            case "follow" -> follow(asked);
+            case "admit" -> admit(asked.number(0), asked.text(1));
+            case "tell", "endTelling" -> tell(asked);
             case "agree", "inform", "refuse", "fail", "propose" -> say(asked);
             default -> throw new IllegalArgumentException("RSAL has no '%s'.".formatted(asked.verb()));
         }
@@ -54,13 +71,11 @@ final class PythonConversations {
 
     private void ask(PythonRequests.Request asked) {
         int number = asked.number(0);
-        Duration silence = asked.seconds(4);
-        Duration repeat = silence.compareTo(RetryPolicy.DEFAULT.repeat()) < 0 ? silence : RetryPolicy.DEFAULT.repeat();
         request(asked.text(2))
                 .ask(
                         asked.text(1),
                         FromWords.map(orEmpty(asked.argument(3))),
-                        new RetryPolicy(repeat, silence),
+                        patience(asked.seconds(4)),
                         ending -> heard.hear(number, false, words(ending)));
     }
 
@@ -69,17 +84,22 @@ final class PythonConversations {
     }
 
     private static Map<String, Object> words(ConversationResult<Map> ending) {
+        return words(ending, result -> result);
+    }
+
+    /// @param written what is informed, in words
+    static <T> Map<String, Object> words(ConversationResult<T> ending, Function<? super T, ?> written) {
         var words = new LinkedHashMap<String, Object>(Map.of("content", Map.of(), "why", ""));
         switch (ending) {
-            case ConversationResult.Informed<Map>(Map result) -> {
+            case ConversationResult.Informed<T>(T result) -> {
                 words.put("how", "informed");
-                words.put("content", result);
+                words.put("content", written.apply(result));
             }
-            case ConversationResult.Refused<Map>(String why) -> ended(words, "refused", why);
-            case ConversationResult.Failed<Map>(String why) -> ended(words, "failed", why);
-            case ConversationResult.NotUnderstood<Map>(String why) -> ended(words, "not understood", why);
-            case ConversationResult.Silent<Map>(String why) -> ended(words, "silent", why);
-            case ConversationResult.Cancelled<Map>() -> ended(words, "cancelled", "");
+            case ConversationResult.Refused<T>(String why) -> ended(words, "refused", why);
+            case ConversationResult.Failed<T>(String why) -> ended(words, "failed", why);
+            case ConversationResult.NotUnderstood<T>(String why) -> ended(words, "not understood", why);
+            case ConversationResult.Silent<T>(String why) -> ended(words, "silent", why);
+            case ConversationResult.Cancelled<T>() -> ended(words, "cancelled", "");
         }
         return words;
     }
@@ -87,6 +107,83 @@ final class PythonConversations {
     private static void ended(Map<String, Object> words, String how, String why) {
         words.put("how", how);
         words.put("why", why);
+    }
+
+    private Propose<Map> proposals(String service) {
+        return proposals.computeIfAbsent(service, name -> new Propose<>(self, name, Map.class));
+    }
+
+    private Subscribe<Map, Map> news(String service) {
+        return news.computeIfAbsent(service, name -> new Subscribe<>(self, name, Map.class, Map.class));
+    }
+
+    private static RetryPolicy patience(Duration silence) {
+        Duration usual = RetryPolicy.DEFAULT.repeat();
+        return new RetryPolicy(silence.compareTo(usual) < 0 ? silence : usual, silence);
+    }
+
+    private void suggest(PythonRequests.Request asked) {
+        int number = asked.number(0);
+        proposals(asked.text(2))
+                .propose(
+                        asked.text(1),
+                        FromWords.map(orEmpty(asked.argument(3))),
+                        patience(asked.seconds(4)),
+                        ending -> heard.hear(number, false, words(ending, _ -> Map.of())));
+    }
+
+    private void judge(int number, String service) {
+        proposals(service).decide(proposal -> {
+            int dialogue = dialogue((verb, content) -> proposal.decide(
+                    verb.equals("inform") ? Propose.Verdict.accept() : Propose.Verdict.reject(content.toString())));
+            heard.hear(
+                    number, false, Map.of("sender", proposal.from(), "content", proposal.what(), "dialogue", dialogue));
+        });
+    }
+
+    private void follow(PythonRequests.Request asked) {
+        int number = asked.number(0);
+        Conversation talk = news(asked.text(2))
+                .subscribe(
+                        asked.text(1),
+                        FromWords.map(orEmpty(asked.argument(3))),
+                        patience(asked.seconds(4)),
+                        content -> heard.hear(number, false, Map.of("how", "", "content", content, "why", "")),
+                        ending -> heard.hear(number, false, words(ending)));
+        held.put(number, talk::cancel);
+    }
+
+    private void admit(int number, String service) {
+        news(service).answer(subscriber -> {
+            begun++;
+            int dialogue = begun;
+            subscribers.put(dialogue, subscriber);
+            subscriber.whenUnwanted(() -> {
+                subscribers.remove(dialogue);
+                heard.hear(number, false, Map.of("over", dialogue));
+            });
+            heard.hear(
+                    number,
+                    false,
+                    Map.of("sender", subscriber.from(), "content", subscriber.what(), "dialogue", dialogue));
+        });
+    }
+
+    private void tell(PythonRequests.Request asked) {
+        Subscribe.Subscriber<Map, Map> subscriber = subscribers.get(asked.number(0));
+        if (subscriber == null) {
+            return; // it has gone
+        }
+        if (asked.verb().equals("tell")) {
+            subscriber.inform(FromWords.map(orEmpty(asked.argument(1))));
+            return;
+        }
+        subscribers.remove(asked.number(0));
+        if (Boolean.TRUE.equals(asked.argument(2))) {
+            subscriber.refuse(asked.text(1));
+        } else {
+            subscriber.fail(asked.text(1));
+        }
     }
 
     private void say(PythonRequests.Request asked) {
@@ -165,13 +262,25 @@ final class PythonConversations {
         });
     }
 
-    /// Less is better. Of equal ones the first by name is.
-    private static double rank(ContractNet.Proposal<Map> proposal, String criterion, boolean least) {
-        if (!(proposal.bid().get(criterion) instanceof Number number)) {
-            throw new IllegalArgumentException(
-                    "The bid of '%s' has no number '%s': %s.".formatted(proposal.from(), criterion, proposal.bid()));
+    /// By what a bid is chosen; NaN for none.
+    private static double rank(ContractNet.Proposal<Map> proposal, String criterion) {
+        return proposal.bid().get(criterion) instanceof Number number ? number.doubleValue() : Double.NaN;
+    }
+
+    /// Bids with a number to choose by, the best first. Of equal ones the first by name is. Others count as none.
+    private List<ContractNet.Proposal<Map>> ranked(
+            List<ContractNet.Proposal<Map>> bids, String criterion, boolean least) {
+        var usable = new ArrayList<ContractNet.Proposal<Map>>();
+        for (ContractNet.Proposal<Map> bid : bids) {
+            if (Double.isNaN(rank(bid, criterion))) {
+                self.print("The bid of '%s' has no number '%s', and is left out: %s"
+                        .formatted(bid.from(), criterion, bid.bid()));
+            } else {
+                usable.add(bid);
+            }
         }
-        return least ? number.doubleValue() : -number.doubleValue();
+        usable.sort(Comparator.comparingDouble(bid -> least ? rank(bid, criterion) : -rank(bid, criterion)));
+        return usable;
     }
 
     private void tender(PythonRequests.Request asked) {
@@ -185,8 +294,7 @@ final class PythonConversations {
                 .call(to, FromWords.map(orEmpty(asked.argument(2))), asked.seconds(4), new ContractNet.Manager<>() {
                     @Override
                     public ContractNet.Verdict<Map> decide(ContractNet.Round<Map> round) {
-                        List<Map<String, Object>> chosen = round.proposals().stream()
-                                .sorted(Comparator.comparingDouble(each -> rank(each, criterion, least)))
+                        List<Map<String, Object>> chosen = ranked(round.proposals(), criterion, least).stream()
                                 .limit(most)
                                 .map(each -> Map.<String, Object>of("sender", each.from(), "bid", each.bid()))
                                 .toList();

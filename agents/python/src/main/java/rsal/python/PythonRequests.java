@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -23,13 +24,14 @@ import rsal.device.GoalHandle;
 import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.robot.Robot;
+import rsal.settings.OwnCode;
 
 /// Does what one agent in Python asks for. On the agent's lane.
 ///
 /// A request is a list: a verb, the place in Python that asks, and arguments. What comes later comes under a number
 /// that
 /// Python has chosen.
-final class PythonRequests implements PythonWorker.Peer {
+final class PythonRequests implements PythonTurns.Peer {
     private static final int ARGUMENTS = 2; // after verb and place
 
     private static final Map<String, Topic<?>> INSTALLED =
@@ -45,12 +47,17 @@ final class PythonRequests implements PythonWorker.Peer {
     private final PythonConversations conversations;
     private final PythonMind mind;
     private final PythonPolicy policy;
+    private final PythonPilots pilots;
+    private final PythonBoards boards;
 
     /// Told what Python listens to.
     interface Heard {
         /// @param newest whether a later one of that number counts instead
         void hear(int number, boolean newest, @Nullable Object value);
     }
+
+    /// What Python has waited for.
+    private record Result(Optional<Object> value) {}
 
     /// What an agent hears of a topic.
     private record Said(String sender, String to, Instant time, Object content) {}
@@ -61,9 +68,11 @@ final class PythonRequests implements PythonWorker.Peer {
         this.robot = self.robot();
         this.simulation = self.simulation();
         this.seed = self.random().nextLong() >>> 1; // Python's are not negative
-        this.conversations = new PythonConversations(self, heard);
+        this.conversations = new PythonConversations(self, heard, held);
         this.mind = new PythonMind(self);
         this.policy = new PythonPolicy(self, heard);
+        this.boards = new PythonBoards(self, heard, held);
+        this.pilots = new PythonPilots(self, heard);
     }
 
     Optional<Robot> robot() {
@@ -156,6 +165,8 @@ final class PythonRequests implements PythonWorker.Peer {
             case "observe" ->
                 policy.begin(asked.number(0), asked.list(1), asked.argument(2), asked.seconds(3), asked.seconds(4));
             case "act" -> policy.act(asked.list(0));
+            case "board", "keepBoard", "writeBoard", "eraseBoard", "askBoard", "watchBoard" -> boards.perform(asked);
+            case "engage", "velocity" -> pilots.perform(asked, robot.orElseThrow());
             case "believe", "forget", "pursue", "reached", "drop" -> mind.perform(asked);
             default -> conversations.perform(asked);
         }
@@ -187,21 +198,29 @@ final class PythonRequests implements PythonWorker.Peer {
         switch (result.orElse("")) {
             case GoalHandle<?, ?> goal -> {
                 goals.put(number, goal);
-                later(number, goal.result());
+                later(asked, goal.result());
             }
-            case CompletionStage<?> stage -> later(number, stage);
+            case CompletionStage<?> stage -> later(asked, stage);
             default -> {} // Python does not wait for it
         }
     }
 
-    private void later(int number, CompletionStage<?> stage) {
+    private void later(Request asked, CompletionStage<?> stage) {
+        int number = asked.number(0);
         stage.whenComplete((value, error) -> self.scheduler().execute(() -> {
             goals.remove(number);
-            if (error != null) {
-                throw new IllegalStateException(String.valueOf(error.getMessage()), error);
-            }
-            heard.hear(number, false, value);
+            heard.hear(
+                    number,
+                    false,
+                    error == null
+                            ? new Result(Optional.ofNullable(value))
+                            : Map.of("error", words(error), "place", asked.place()));
         }));
+    }
+
+    private static String words(Throwable error) {
+        return OwnCode.words(
+                error instanceof CompletionException && error.getCause() != null ? error.getCause() : error);
     }
 
     private Optional<GoalHandle<?, ?>> goal(int number) {
@@ -226,7 +245,7 @@ final class PythonRequests implements PythonWorker.Peer {
     }
 
     /// One that RSAL has, or one of people's own, whose messages are maps.
-    private static Topic<?> topic(String name) {
+    static Topic<?> topic(String name) {
         Topic<?> installed = INSTALLED.get(name);
         return installed == null ? new Topic<>(name, Map.class) : installed;
     }
@@ -239,7 +258,7 @@ final class PythonRequests implements PythonWorker.Peer {
         self.send(to, topic, content(topic, content));
     }
 
-    private static <M> M content(Topic<M> topic, @Nullable Object words) {
+    static <M> M content(Topic<M> topic, @Nullable Object words) {
         return topic.type().cast(FromWords.value(words, topic.type()));
     }
 

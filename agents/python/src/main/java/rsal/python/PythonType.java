@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import rsal.agent.Agent;
 import rsal.agent.AgentType;
 import rsal.device.Device;
@@ -11,6 +12,7 @@ import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Location;
 import rsal.settings.Parameter;
+import rsal.settings.Problem;
 import rsal.settings.Problems;
 import rsal.settings.Suggestion;
 
@@ -24,12 +26,14 @@ record PythonType(
         List<Parameter<?>> parameters,
         List<Class<? extends Device>> needs,
         String className,
-        PythonSources sources)
+        PythonSources sources,
+        List<Problem> warnings)
         implements AgentType {
 
     PythonType {
         parameters = List.copyOf(parameters);
         needs = List.copyOf(needs);
+        warnings = List.copyOf(warnings);
     }
 
     /// @param found what its file says
@@ -43,7 +47,7 @@ record PythonType(
             Class<? extends Device> contract = DeviceCalls.all().get(name);
             if (contract == null) {
                 problems.add(
-                        new Location(sources.path(), FromWords.integer(named.get(1)), FromWords.integer(named.get(2))),
+                        location(found, sources, named.get(1), named.get(2)),
                         "There is no device '%s'.".formatted(name),
                         Suggestion.among(name, List.copyOf(DeviceCalls.all().keySet())));
             } else {
@@ -61,7 +65,20 @@ record PythonType(
                 parameters,
                 needs,
                 String.valueOf(found.get("class")),
-                sources);
+                sources,
+                FromWords.list(found.get("warnings")).stream()
+                        .map(each -> (Map<?, ?>) each)
+                        .map(each -> new Problem(
+                                location(found, sources, each.get("line"), each.get("column")),
+                                text(each, "message"),
+                                text(each, "remedy")))
+                        .toList());
+    }
+
+    private static Location location(
+            Map<?, ?> found, PythonSources sources, @Nullable Object line, @Nullable Object column) {
+        String file = found.get("file") instanceof String path ? path : sources.path();
+        return new Location(file, FromWords.integer(line), FromWords.integer(column));
     }
 
     private static Parameter<?> parameter(Map<?, ?> found) {

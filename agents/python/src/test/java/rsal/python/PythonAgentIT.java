@@ -2,12 +2,16 @@ package rsal.python;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -15,18 +19,27 @@ import rsal.agent.Agent;
 import rsal.agent.AgentSpec;
 import rsal.agent.AgentType;
 import rsal.agent.Message;
+import rsal.agent.OutsideCode;
 import rsal.agent.Topic;
 import rsal.agent.bdi.Mind;
+import rsal.agent.board.TeamBoard;
 import rsal.agent.message.PoseReport;
 import rsal.agent.platform.AgentPlatform;
+import rsal.agent.platform.AgentTurns;
 import rsal.agent.platform.PlainHost;
 import rsal.agent.protocol.ContractNet;
+import rsal.agent.protocol.Conversation;
+import rsal.agent.protocol.Propose;
 import rsal.agent.protocol.Request;
+import rsal.agent.protocol.Subscribe;
+import rsal.behavior.PilotDriver;
+import rsal.data.Point2d;
 import rsal.data.Pose2d;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.system.RobotSystemProvider;
+import rsal.testkit.OfficialPython;
 import rsal.testkit.contract.RobotBench;
 import rsal.testkit.fake.FakeLocalizer;
 import rsal.testkit.fake.FakeNavigator;
@@ -40,6 +53,7 @@ class PythonAgentIT extends RobotBench {
     private final List<String> lines = new ArrayList<>(); // printed
     private final List<Message<?>> said = new ArrayList<>();
     private final Map<String, Double> metrics = new HashMap<>();
+    private final AgentTurns turns = new AgentTurns();
     private AgentPlatform platform;
 
     @Override
@@ -54,12 +68,13 @@ class PythonAgentIT extends RobotBench {
 
     @Override
     protected List<DeviceDriver> drivers() {
-        return List.of(new FakeLocalizer.Driver(), new FakeNavigator.Driver(), new FakePlanner.Driver());
+        return List.of(
+                new PilotDriver(), new FakeLocalizer.Driver(), new FakeNavigator.Driver(), new FakePlanner.Driver());
     }
 
     @BeforeEach
     void gather() {
-        platform = new AgentPlatform(run, new PlainHost(run), system().simulation());
+        platform = new AgentPlatform(run, new PlainHost(run), system().simulation(), turns);
         platform.onMessage(said::add);
         platform.onPrint(print -> lines.add(print.line()));
         platform.onMetric(metric -> metrics.put(metric.name(), metric.value()));
@@ -317,6 +332,217 @@ class PythonAgentIT extends RobotBench {
     }
 
     @Test
+    void proposalsGoBothWays() {
+        start("java", self -> {
+            var swap = new Propose<>(self, "swap", Map.class);
+            swap.answer(offer -> offer.what().get("goal").equals(1)
+                    ? Propose.Verdict.accept()
+                    : Propose.Verdict.reject("not that one"));
+            self.scheduler().after(Duration.ofSeconds(1), () -> {
+                for (int goal = 1; goal <= 3; goal++) {
+                    swap.propose("amy", Map.of("goal", goal), ending -> self.print(ending.toString()));
+                }
+            });
+        });
+        start("amy", """
+                async def on_start(self):
+                    self.judge("swap", self.decide)
+                    print((await self.propose("java", "swap", {"goal": 1})).informed)
+                    print(await self.propose("java", "swap", {"goal": 2}))
+                    print((await self.propose("nobody", "swap", {})).how)
+                async def decide(self, question):
+                    await self.sleep(0.5)
+                    if question.content["goal"] == 3:
+                        raise Refusal("busy")
+                    return question.content["goal"] == 1
+                """);
+        advance(10);
+        assertThat(lines)
+                .containsExactlyInAnyOrder(
+                        "True",
+                        "Result(how='refused', content={}, why='not that one')",
+                        "silent",
+                        "Informed[result=]",
+                        "Refused[why=]",
+                        "Refused[why=busy]");
+    }
+
+    @Test
+    void newsGoBothWays() {
+        start("java", self -> {
+            var prices = new Subscribe<>(self, "prices", Map.class, Map.class);
+            prices.answer(subscriber -> {
+                subscriber.inform(Map.of("n", 1));
+                subscriber.inform(Map.of("n", 2));
+                self.scheduler().after(Duration.ofSeconds(1), () -> subscriber.fail("sold out"));
+            });
+            var ticks = new Subscribe<>(self, "ticks", Map.class, Map.class);
+            self.scheduler().after(Duration.ofSeconds(2), () -> {
+                ticks.subscribe("amy", Map.of("who", "no"), news -> {}, ending -> self.print(ending.toString()));
+                Conversation talk = ticks.subscribe(
+                        "amy",
+                        Map.of("who", "yes"),
+                        news -> self.print(news.toString()),
+                        ending -> self.print(ending.toString()));
+                self.scheduler().after(Duration.ofMillis(2500), talk::cancel);
+            });
+        });
+        start("amy", """
+                def on_start(self):
+                    self.follow("java", "prices", {}, lambda news: print(news["n"]), on_end=lambda end: print(end.how, end.why))
+                    self.admit("ticks", self.tell)
+                async def tell(self, subscriber):
+                    if subscriber.content["who"] == "no":
+                        return self.turn_down(subscriber)
+                    subscriber.on_end(lambda: print(subscriber.sender, "went"))
+                    while not subscriber.gone:
+                        await self.sleep(1.0)
+                        subscriber.inform({"at": self.time})
+                def turn_down(self, subscriber):
+                    subscriber.fail("not you")
+                """);
+        advance(8);
+        assertThat(lines)
+                .containsExactly(
+                        "1",
+                        "2",
+                        "failed sold out",
+                        "Failed[why=not you]",
+                        "{at=3.0}",
+                        "{at=4.0}",
+                        "Cancelled[]",
+                        "java went");
+    }
+
+    @Test
+    void itSharesABoardWithItsTeam() {
+        start("master", """
+                def on_start(self):
+                    self.keep_board("finds")
+                """);
+        start("java", self -> {
+            var board = new TeamBoard(self, "finds", _ -> {});
+            self.scheduler()
+                    .after(
+                            Duration.ofSeconds(1),
+                            () -> board.write(
+                                    new Topic<>("bids", Map.class),
+                                    "b",
+                                    Map.of("price", 2),
+                                    new Point2d(9, 9),
+                                    Duration.ofSeconds(3)));
+        });
+        start("amy", """
+                async def on_start(self):
+                    board = self.team_board("finds")
+                    board.on_event(lambda event: print(event.kind, event.about))
+                    watch = board.watch(BIDS, self.on_change)
+                    board.write(BIDS, "a", {"price": 1}, lifetime=60, place=Pose2d(1, 2, 3))
+                    await self.sleep(2.0)
+                    found = await board.ask(BIDS, near=Point2d(1, 1), distance=3)
+                    print([note.content for note in found.notes], found.notes[0].place, found.left, found.why == "")
+                    print(board.keeper, len((await board.ask(BIDS, author="java")).notes), watch.current)
+                    await self.sleep(3.0)
+                    print([note.name for note in watch.notes])
+                    watch.cancel()
+                    board.erase(BIDS, "a")
+                    await self.sleep(1.0)
+                    print((await board.ask(BIDS)).notes)
+                    self.publish(BIDS, {"over": True})
+                    await self.sleep(1.0)
+                def on_change(self, watch):
+                    print([f"{note.name} of {note.author}" for note in watch.notes])
+                """);
+        advance(12);
+        assertThat(lines)
+                .containsSubsequence(
+                        "kept master",
+                        "['a of amy']",
+                        "['b of java', 'a of amy']",
+                        "[{'price': 1}] Point2d(x=1.0, y=2.0) 0 True",
+                        "master 1 True",
+                        "['a']",
+                        "[]");
+    }
+
+    @Test
+    void behaviorsDriveItsRobot() {
+        startOnRobot("""
+                async def on_start(self):
+                    pilot = self.robot.pilot
+                    self.called = 0
+                    pilot.engage(self.creep, "creep")
+                    layers = []
+                    pilot.subscribe(lambda decision: layers.append(decision.value.in_charge))
+                    await self.sleep(3.0)
+                    print(self.called, self.robot.base.latest.value.velocity.vx, "creep" in layers, pilot.engaged)
+                    pilot.engage("wander")
+                    await self.sleep(3.0)
+                    print(self.called, self.robot.base.latest.value.velocity.vx > 0.3, "wander" in layers)
+                    pilot.release()
+                    await self.sleep(1.0)
+                    print(self.robot.base.latest.value.velocity.vx, pilot.engaged)
+                    pilot.engage("fly")
+                def creep(self, percept):
+                    self.called += 1
+                    return Twist2d(0.1 if percept.nearest(-0.3, 0.3) > 0.5 else 0.0, 0.0, 0.0)
+                """);
+        advance(8);
+        assertThat(lines).containsExactly("29 0.1 True True", "29 True True", "0.0 False");
+        assertThat(view("a").state()).startsWith("a.py:23 in on_start: There is no behavior 'fly'.");
+    }
+
+    @Test
+    void itUsesModulesInFolders() {
+        AgentType type = Texts.type(
+                "own/amy.py",
+                Map.of(
+                        "own/amy.py",
+                        """
+                        import rsal
+                        from parts.scan import near
+                        import bare.deep as deep
+                        class A(rsal.Agent):
+                            def on_start(self):
+                                print(near(2), deep.__name__, __name__)
+                                near(None)
+                        """,
+                        "own/parts/__init__.py",
+                        "SIZE = 20\n",
+                        "own/parts/scan.py",
+                        "from . import SIZE\ndef near(x):\n    return x + SIZE\n",
+                        "own/bare/deep.py",
+                        ""));
+        platform.start(new AgentSpec("amy", "tested", type, Arguments.defaults(List.of()), Optional.empty(), 1));
+        advance(0.1);
+        assertThat(lines).containsExactly("22 bare.deep amy");
+        assertThat(view("amy").state()).startsWith("own/parts/scan.py:3 in near: TypeError");
+    }
+
+    @Test
+    void itIsInAnInstalledPackage() throws Exception {
+        Path site = Path.of(OfficialPython.run("import site; print(site.getsitepackages()[0])")
+                .strip());
+        Path module = Files.createDirectories(site.resolve("rsal_tested")).resolve("agents.py");
+        Files.writeString(module, """
+                import rsal
+                from . import agents as itself
+                class Guard(rsal.Agent):
+                    speed: float = rsal.Param(0.4)
+                    def on_start(self):
+                        print(self.speed, itself.__name__)
+                        self.after(1.0, lambda: {}["so"])
+                """);
+        AgentType type = Texts.type("python:rsal_tested.agents:Guard", Map.of());
+        assertThat(type.key()).isEqualTo("python:rsal_tested.agents:Guard");
+        platform.start(new AgentSpec(
+                "amy", "tested", type, Arguments.of(type.parameters(), Map.of("speed", 1)), Optional.empty(), 1));
+        advance(2);
+        assertThat(lines).containsExactly("1.0 rsal_tested.agents");
+        assertThat(view("amy").state()).isEqualTo(module.toRealPath() + ":7 in <lambda>: KeyError: 'so'");
+    }
+
+    @Test
     void itsMindAndItsMetricsAreShown() {
         start("amy", """
                 def on_start(self):
@@ -362,6 +588,93 @@ class PythonAgentIT extends RobotBench {
         assertThat(view("bob").state()).startsWith("bob.py:16 in tick: LookupError: Agent 'bob' has no robot.");
         assertThat(view("eve").state()).startsWith("eve.py:18 in tick: A metric has a name");
         assertThat(view("sue").state()).isEqualTo("sue.py:20 in tick: SystemExit: 3");
+    }
+
+    @Test
+    void turnsOfOneInstantAreOneAfterTheOtherWhateverHappensInThem() {
+        String body = """
+                def on_start(self):
+                    self.subscribe(BIDS, self.on_bid)
+                    self.after(1.0, self.first)
+                    self.after(1.0, self.second)
+                    self.after(2.0, self.first)
+                def first(self):
+                    if self.name == "bob" and self.time > 1.5:
+                        raise KeyError("gone")
+                    print(self.name, "first", [each.name for each in self.agents()])
+                    self.publish(BIDS, {"of": self.name})
+                def second(self):
+                    print(self.name, "second")
+                def on_bid(self, message):
+                    print(self.name, "hears", message.content["of"])
+                    if self.name == "amy" and self.time > 1.5:
+                        self.metric("", 1.0)
+                """;
+        start("amy", body);
+        start("bob", body);
+        start("cleo", body);
+        advance(1.5);
+        assertThat(lines)
+                .containsExactly(
+                        "amy first ['amy', 'bob', 'cleo']",
+                        "amy second",
+                        "bob first ['amy', 'bob', 'cleo']",
+                        "bob second",
+                        "cleo first ['amy', 'bob', 'cleo']",
+                        "cleo second",
+                        "bob hears amy",
+                        "bob hears cleo",
+                        "cleo hears amy",
+                        "cleo hears bob",
+                        "amy hears bob",
+                        "amy hears cleo");
+        lines.clear();
+        advance(1);
+        assertThat(view("bob").state()).endsWith("KeyError: 'gone'");
+        assertThat(view("amy").state()).contains("A metric has a name");
+        assertThat(lines).contains("cleo first ['amy', 'cleo']", "cleo hears amy");
+        platform.stop("cleo");
+        assertThat(platform.directory().agents()).isEmpty();
+    }
+
+    @Test
+    void anEndlessLoopIsNamed() throws Exception {
+        Path end = Files.createTempFile("end", "");
+        String body = """
+                def on_start(self):
+                    self.after(1.0, self.tick)
+                def tick(self):
+                    if self.name == "bob":
+                        self.spin()
+                    print(self.name)
+                def spin(self):
+                    import os
+                    while os.path.exists('%s'):
+                        pass
+                """.formatted(end.toString().replace('\\', '/'));
+        start("amy", body);
+        start("bob", body);
+        Thread running = Thread.currentThread();
+        var seen = new ArrayList<String>();
+        Thread looker = Thread.ofPlatform().start(() -> {
+            try {
+                for (int i = 0; i < 1000 && seen.isEmpty(); i++) {
+                    TimeUnit.MILLISECONDS.sleep(10);
+                    for (String name : List.of("bob", "amy")) {
+                        turns.outside(name).flatMap(OutsideCode::place).ifPresent(seen::add);
+                    }
+                }
+                Files.delete(end);
+            } catch (IOException | InterruptedException e) {
+                running.interrupt();
+            }
+        });
+        advance(2);
+        looker.join();
+        assertThat(lines).containsExactly("amy", "bob");
+        assertThat(seen).hasSize(2);
+        assertThat(seen.getFirst()).matches("bob.py:1[789] in spin");
+        assertThat(seen.getLast()).matches("bob.py:1[789] in spin of agent 'bob'");
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.AgentType;
 import rsal.device.Localizer;
 import rsal.device.Navigator;
@@ -84,6 +85,28 @@ class PythonLanguageIT {
     }
 
     @Test
+    void callsThatMakeTheRunWaitAreWarnedOf() {
+        AgentType type = Texts.type("""
+                import asyncio as aio, time
+                from time import sleep as rest
+                import rsal
+                class A(rsal.Agent):
+                    def on_start(self):
+                        time.sleep(1)
+                        rest(2)
+                        aio.run(self.go())
+                        name = input("who?")
+                        self.sleep(3)
+                        time.time()
+                """);
+        assertThat(type.warnings())
+                .extracting(problem ->
+                        problem.location().line() + " " + problem.message().split(" ")[0])
+                .containsExactly("6 'time.sleep'", "7 'time.sleep'", "8 'asyncio.run'", "9 'input'");
+        assertThat(type.warnings().getFirst().toString()).contains("a.py:6:9", "await self.sleep(seconds)");
+    }
+
+    @Test
     void oneOfSeveralAgentsIsNamed() {
         String text = """
                 import rsal
@@ -105,6 +128,122 @@ class PythonLanguageIT {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> Texts.type("a.py:D", Map.of("a.py", text)))
                 .withMessageContaining("There is no class 'D'");
+    }
+
+    @Test
+    void modulesAreFoundHoweverTheyAreImported() {
+        var texts = Map.of(
+                "a.py",
+                """
+                import numpy as np, one
+                import two as second, \\
+                    three
+                from four import (  # not five (5)
+                    x as y,
+                )
+                import os; import six
+                try: import seven
+                except ImportError: pass
+                # import eight
+                """,
+                "one.py",
+                "",
+                "two.py",
+                "",
+                "three.py",
+                "",
+                "four.py",
+                "",
+                "six.py",
+                "",
+                "seven.py",
+                "",
+                "eight.py",
+                "");
+        assertThat(PythonSources.read("a.py", Texts.files(texts), Location.of("scenario.yaml"))
+                        .texts())
+                .containsOnlyKeys("a.py", "one.py", "two.py", "three.py", "four.py", "six.py", "seven.py");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"random.py", "rsal.py", "statistics.py"})
+    void namesOfPythonsOwnModulesAreRefused(String file) {
+        String text = "import rsal\nclass A(rsal.Agent):\n    pass\n";
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Texts.type(file, Map.of(file, text)))
+                .withMessageContainingAll(
+                        "A module of an agent cannot be called '%s': Python has one of that name."
+                                .formatted(file.replace(".py", "")),
+                        "Give '%s' another name.".formatted(file));
+    }
+
+    @Test
+    void soAreThoseOfModulesBesideIt() {
+        var texts =
+                Map.of("own/a.py", "import random\nimport rsal\nclass A(rsal.Agent):\n    pass\n", "own/random.py", "");
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Texts.type("own/a.py", texts))
+                .withMessageContaining("own/a.py:1:1: A module of an agent cannot be called 'random'");
+    }
+
+    @Test
+    void modulesInFoldersBesideItAreReadAsFarAsTheyAreImported() {
+        var texts = Map.of(
+                "own/a.py",
+                """
+                import os.path, parts.scan
+                from parts import (  # several lines
+                    tail,
+                    head as first,
+                )
+                from bare.deep import x
+                import rsal
+                class A(rsal.Agent):
+                    pass
+                """,
+                "own/parts/__init__.py",
+                "",
+                "own/parts/scan.py",
+                "from .side import y\nfrom ..upper import z\nfrom . import more\n",
+                "own/parts/side.py",
+                "",
+                "own/parts/more.py",
+                "",
+                "own/parts/tail.py",
+                "",
+                "own/upper.py",
+                "",
+                "own/bare/deep.py",
+                "",
+                "own/bare/other.py",
+                "nobody imports it",
+                "parts/scan.py",
+                "of another folder");
+        var sources = PythonSources.read("own/a.py", Texts.files(texts), Location.of("scenario.yaml"));
+        assertThat(sources.module()).isEqualTo("a");
+        assertThat(sources.folder()).isEqualTo("own/");
+        assertThat(sources.texts())
+                .containsOnlyKeys(
+                        "own/a.py",
+                        "own/parts/__init__.py",
+                        "own/parts/scan.py",
+                        "own/parts/side.py",
+                        "own/parts/more.py",
+                        "own/parts/tail.py",
+                        "own/upper.py",
+                        "own/bare/deep.py");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            python:numpy.version:Agent  | There is no class 'Agent' that inherits from 'rsal.Agent' in this file.
+            python:numpy.nothing:Agent  | There is no module 'numpy.nothing' in
+            python:numpy.version        | names no class of an installed package.
+            """)
+    void agentsOfInstalledPackagesAreLookedForThere(String type, String message) {
+        assertThatExceptionOfType(InvalidSettings.class)
+                .isThrownBy(() -> Texts.type(type, Map.of()))
+                .withMessageContaining(message);
     }
 
     @Test

@@ -2,6 +2,8 @@ package rsal.python;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -9,6 +11,7 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -87,8 +90,45 @@ class PythonRealTimeIT {
                 1)));
         await(() -> beats.get() >= 50);
         assertThat(lines).containsExactly("slow: ready"); // it sleeps, and the run goes on
-        await(() -> lines.size() > 1);
-        assertThat(lines).containsExactly("slow: ready", "slow: True True slow");
+        await(() -> lines.stream().anyMatch(line -> line.endsWith(" slow")));
+        assertThat(lines).contains("slow: True True slow");
+    }
+
+    @Test
+    void latenessIsAMetricAndAnEvent() throws InterruptedException {
+        var worst = new AtomicReference<>(0.0);
+        run.exclusively(() -> platform.onMetric(metric -> worst.accumulateAndGet(metric.value(), Math::max)));
+        start("slow", """
+                def on_start(self):
+                    self.every(0.02, self.tick)
+                    self.after(0.1, time.sleep, 0.8)
+                def tick(self):
+                    pass
+                """);
+        await(() -> !lines.isEmpty());
+        assertThat(lines.getFirst()).matches("slow: is late: what happens waits up to [01]\\.\\d s for Python");
+        assertThat(worst.get()).isBetween(0.7, 1.9);
+    }
+
+    @Test
+    void onesThatWaitForACallThatDoesNotReturnSayWhereThatIs() throws InterruptedException {
+        start("slow", """
+                def on_start(self):
+                    self.after(0.1, self.rest)
+                def rest(self):
+                    for _ in range(300):
+                        time.sleep(0.01)
+                """);
+        start("bob", """
+                def on_start(self):
+                    self.every(0.05, self.tick)
+                def tick(self):
+                    pass
+                """);
+        await(() -> !lines.isEmpty());
+        assertThat(lines.getFirst())
+                .matches(
+                        "bob: waits: Python has not returned for 2\\.\\d s; it is at slow.py:[89] in rest of agent 'slow'");
     }
 
     @Test
@@ -109,6 +149,73 @@ class PythonRealTimeIT {
         assertThat(platform.view("amy").orElseThrow().state()).isEqualTo("amy.py:8 in fail: ValueError: so");
         await(() -> lines.contains("bob: begins"));
         run.exclusively(() -> platform.stop("bob"));
+        await(() -> lines.contains("bob: bye"));
+    }
+
+    @Test
+    void oneThatIsStoppedHoldsUpNobodyAndItsLastWordsAreHeard() throws Exception {
+        Path wait = Files.createTempFile("wait", "");
+        start("bob", """
+                def on_start(self):
+                    self.every(0.01, self.tick)
+                    self.ticks = 0
+                    print("begins")
+                def tick(self):
+                    self.ticks += 1
+                def on_stop(self):
+                    import os
+                    ticks = self.ticks
+                    while os.path.exists('%s'):
+                        time.sleep(0.01)
+                    print("bye", self.ticks == ticks)
+                """.formatted(wait.toString().replace('\\', '/')));
+        await(() -> lines.contains("bob: begins"));
+        run.exclusively(() -> platform.stop("bob"));
+        run.exclusively(
+                () -> assertThat(platform.view("bob").orElseThrow().status()).isEqualTo(AgentPlatform.Status.RUNNING));
+        Files.delete(wait); // only now it can end
+        await(() -> platform.view("bob").orElseThrow().status() == AgentPlatform.Status.ENDED);
+        assertThat(lines).contains("bob: bye True");
+    }
+
+    @Test
+    void lastWordsAreHeardAtTheEndOfTheRun() throws InterruptedException {
+        start("bob", """
+                def on_start(self):
+                    print("begins")
+                def on_stop(self):
+                    print("bye")
+                """);
+        await(() -> lines.contains("bob: begins"));
+        run.exclusively(platform::close);
         assertThat(lines).contains("bob: bye");
+    }
+
+    @Test
+    void oneForWhichTooMuchWaitsEnds() throws Exception {
+        Path wait = Files.createTempFile("wait", "");
+        start("slow", """
+                def on_start(self):
+                    self.subscribe(NUMBERS, self.on_number)
+                    self.after(0.01, self.block)
+                    print("begins")
+                def on_number(self, message):
+                    pass
+                def block(self):
+                    import os
+                    print("blocks")
+                    self.agents()
+                    while os.path.exists('%s'):
+                        time.sleep(0.01)
+                """.formatted(wait.toString().replace('\\', '/')));
+        await(() -> lines.contains("slow: blocks"));
+        run.exclusively(() -> {
+            for (int i = 0; i < 10_010; i++) {
+                platform.publish("test", NUMBERS, Map.of("n", i));
+            }
+        });
+        await(() -> platform.view("slow").orElseThrow().status() == AgentPlatform.Status.FAILED);
+        Files.delete(wait);
+        assertThat(platform.view("slow").orElseThrow().state()).startsWith("More than 10000 events wait for it");
     }
 }

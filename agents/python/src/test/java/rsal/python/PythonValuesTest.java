@@ -13,9 +13,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import rsal.agent.Topic;
 import rsal.agent.Topics;
+import rsal.behavior.Decision;
 import rsal.device.Device;
 import rsal.device.Health;
-import rsal.device.Sensor;
+import rsal.device.SensorCore;
 import rsal.device.SimulationControl;
 import rsal.robot.DeviceKind;
 import rsal.robot.DeviceKinds;
@@ -29,6 +30,7 @@ class PythonValuesTest {
         values.add(Health.class);
         DeviceCalls.all().values().forEach(values::addContract);
         DeviceKinds.all().stream().map(DeviceKind::reads).forEach(values::add);
+        values.add(Decision.class);
         values.add(SimulationControl.Placement.class);
         values.add(SimulationControl.Contact.class);
         return values;
@@ -54,7 +56,8 @@ class PythonValuesTest {
     @Test
     void eachMethodOfADeviceCanBeCalled() throws IOException {
         String devices = Files.readString(HOME.resolve("devices.py"));
-        List<String> ofAll = Stream.of(Device.class.getMethods(), Sensor.class.getMethods())
+        List<String> ofAll = Stream.of(
+                        Device.class.getMethods(), SensorCore.class.getMethods(), Object.class.getMethods())
                 .flatMap(Stream::of)
                 .map(Method::getName)
                 .toList();

@@ -36,7 +36,7 @@ final class Texts {
         }
     }
 
-    private static FileSource files(Map<String, String> texts) {
+    static FileSource files(Map<String, String> texts) {
         return (path, _, askedAt) -> {
             String text = texts.get(path);
             if (text == null) {

@@ -13,7 +13,9 @@ public record Decision(Twist2d twist, String inCharge, List<Opinion> opinions) {
         opinions = List.copyOf(opinions);
     }
 
+    /// What a layer wants.
+    ///
     /// @param twist what the robot should do as far as this layer and those under it go
-    /// @param state see [Behavior#state]
+    /// @param state what the layer is about, for people; empty when there is nothing to tell
     public record Opinion(String layer, Twist2d twist, String state) {}
 }

@@ -58,6 +58,16 @@ public final class FramePipe {
         }
     }
 
+    /// A frame that is too long was not sent.
+    public static final class TooLong extends IOException {
+        private static final long serialVersionUID = 1;
+
+        private TooLong(String message) {
+            super(message);
+        }
+    }
+
+    /// @throws TooLong when it is longer than 64 MB; then nothing was written
     public void write(Content content) throws IOException {
         words.reset();
         arrays.reset();
@@ -69,7 +79,7 @@ public final class FramePipe {
         }
         int length = words.size() + arrays.size();
         if (length > LONGEST) {
-            throw new IOException("A frame has %d bytes; at most %d can be sent.".formatted(length, LONGEST));
+            throw new TooLong("A frame has %d bytes; at most %d can be sent.".formatted(length, LONGEST));
         }
         frame = frame.length < HEAD + length ? new byte[2 * (HEAD + length)] : frame;
         lengths.putInt(0, length).putInt(Integer.BYTES, words.size());

@@ -59,7 +59,12 @@ final class AgentWatch {
 
     private void tell() {
         try {
-            look().ifPresent(giveUp);
+            look().ifPresent(broken -> {
+                giveUp.accept(broken);
+                turns.inProgress()
+                        .keySet()
+                        .forEach(agent -> turns.outside(agent).ifPresent(OutsideCode::kill));
+            });
         } catch (OutOfMemoryError _) {
             // what the run does about it is its own matter; the next look may have enough
         }

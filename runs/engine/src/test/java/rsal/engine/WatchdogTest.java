@@ -77,6 +77,25 @@ class WatchdogTest {
     }
 
     @Test
+    void codeOfItElsewhereIsEnded() throws InterruptedException {
+        LiveRun run = LiveRun.of(plan("endless", RunOptions.NONE))
+                .helpers(1)
+                .patience(PATIENCE)
+                .start();
+        var killed = new CountDownLatch(1);
+        Endless.ELSEWHERE.set(() -> {
+            Endless.RELEASE.release(); // as the end of a process does
+            killed.countDown();
+        });
+        try {
+            assertThatThrownBy(() -> run.result().toCompletableFuture().join()).hasMessageContaining("Endless");
+            killed.await();
+        } finally {
+            Endless.ELSEWHERE.set(() -> {});
+        }
+    }
+
+    @Test
     void aRunThatBreaksOnAnAgentsThreadEndsOnItsOwn() {
         LiveRun run = LiveRun.start(plan("wrecker", RunOptions.NONE.inRealTimeOn("jade")));
         String thread = run.result()

@@ -11,6 +11,7 @@ import java.util.Map;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.engine.SteppedWatch;
 import rsal.scenario.RunOptions;
 
 /// Observations that real robots have, beside what follows from poses that are known.
@@ -46,7 +47,7 @@ class SensedObservationsTest {
     private Episode begin(Map<String, Object> act, List<Map<String, Object>> observe) throws IOException {
         Files.writeString(folder.resolve("hall.yaml"), HALL);
         Path file = Files.writeString(folder.resolve("sensed.yaml"), SCENARIO);
-        return Episode.begin(new Environments().read(file.toString(), RunOptions.NONE, "learner", observe, act, 1), 1);
+        return Episode.begin(new Environments().read(file.toString(), RunOptions.NONE, "learner", observe, act, 1), 1, new SteppedWatch());
     }
 
     private float[] observed(Map<String, Object> observation) throws IOException {

@@ -14,6 +14,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import rsal.agent.RunPreparation;
 import rsal.engine.LiveRun;
 import rsal.engine.RunBuilder;
 import rsal.engine.report.RunBroken;
@@ -116,6 +117,7 @@ public final class SweepRun implements AutoCloseable {
     /// @throws InterruptedException when this thread is; the runs are given up
     /// @throws UncheckedIOException when a row or a recording can't be written; the runs under way are given up
     public void run() throws InterruptedException {
+        RunPreparation preparation = RunPreparation.of(jobs, waiting.size());
         var ended = new CountDownLatch(jobs);
         for (int i = 1; i <= jobs; i++) {
             Thread.ofPlatform().daemon().name("sweep-" + i).start(() -> {
@@ -133,6 +135,7 @@ public final class SweepRun implements AutoCloseable {
             ended.await();
         } finally {
             close();
+            preparation.close();
         }
         switch (failure.get()) {
             case null -> {}

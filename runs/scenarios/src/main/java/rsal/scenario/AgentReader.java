@@ -200,12 +200,12 @@ final class AgentReader {
         Location at = agent.locationOf("type");
         languages.add(language);
         if (language.runsCode() && !files.isTrusted()) {
-            files.read(file, Yaml.MAX_CHARACTERS, at); // it must be there
+            language.file(file).ifPresent(path -> files.read(path, Yaml.MAX_CHARACTERS, at)); // it must be there
             return Optional.of(UntrustedType.of(file, agent.section(Format.PARAMETERS)));
         }
         Optional<String> unavailable = language.unavailable();
         if (unavailable.isPresent()) {
-            files.read(file, Yaml.MAX_CHARACTERS, at); // it must be there
+            language.file(file).ifPresent(path -> files.read(path, Yaml.MAX_CHARACTERS, at)); // it must be there
             return Optional.of(UnavailableType.of(file, agent.section(Format.PARAMETERS), at, unavailable.get()));
         }
         try {

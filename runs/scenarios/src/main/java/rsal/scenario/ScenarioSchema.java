@@ -413,9 +413,9 @@ public final class ScenarioSchema {
         catalog.agents().forEach((key, type) -> kinds.add(agent(key, type, robot)));
         kinds.add(anyAgent(reference(), robot));
         catalog.languages().values().stream()
-                .map(AgentLanguage::suffix)
-                .forEach(suffix -> kinds.add(described(
-                        anyAgent(fields("type", "string", "pattern", suffix.replace(".", "\\.") + "$"), robot),
+                .map(AgentLanguage::pattern)
+                .forEach(pattern -> kinds.add(described(
+                        anyAgent(fields("type", "string", "pattern", pattern), robot),
                         "File of an agent of your own.")));
         return oneOf(kinds);
     }

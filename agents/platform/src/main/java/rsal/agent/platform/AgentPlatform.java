@@ -13,7 +13,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import rsal.agent.AgentHost;
 import rsal.agent.AgentSpec;
@@ -39,6 +43,7 @@ import rsal.time.Scheduler;
 /// All calls on the run's thread.
 public final class AgentPlatform implements AutoCloseable {
     private static final Logger LOG = System.getLogger(AgentPlatform.class.getName());
+    private static final int LAST_WORDS = 500; // ms
 
     private final Scheduler scheduler;
     private final AgentHost host;
@@ -226,13 +231,26 @@ public final class AgentPlatform implements AutoCloseable {
         return member(agent).flatMap(member -> member.look(type));
     }
 
-    /// Stops all agents, the newest first, then the host.
+    /// Stops all agents, the newest first, then the host. Waits up to half a second for the last words of agents whose
+    /// code runs elsewhere.
     @Override
     public void close() {
-        for (AgentRuntime member : List.copyOf(members.values()).reversed()) {
-            member.stop();
-        }
+        List<AgentRuntime> all = List.copyOf(members.values()).reversed();
+        all.forEach(AgentRuntime::stop);
+        awaitLastWords(
+                all.stream().flatMap(member -> member.lastWords().stream()).toArray(CompletableFuture<?>[]::new));
+        all.forEach(AgentRuntime::leave);
         host.close();
+    }
+
+    private static void awaitLastWords(CompletableFuture<?>... lastWords) {
+        try {
+            CompletableFuture.allOf(lastWords).get(LAST_WORDS, TimeUnit.MILLISECONDS);
+        } catch (TimeoutException | ExecutionException _) {
+            // the run does not wait for those that have more to say
+        } catch (InterruptedException _) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     /// Also one that has ended.

@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -25,6 +26,7 @@ import rsal.agent.Blackboard;
 import rsal.agent.Directory;
 import rsal.agent.Interest;
 import rsal.agent.Message;
+import rsal.agent.OutsideAgent;
 import rsal.agent.OutsideCode;
 import rsal.agent.ServiceDescription;
 import rsal.agent.Topic;
@@ -55,6 +57,7 @@ final class AgentRuntime implements AgentContext {
     /// pay for what it did not set off.
     private static final int ANSWERS = 4;
 
+    private static final Duration LAST_WORDS = Duration.ofSeconds(2); // for one whose code runs elsewhere
     private static final Duration WINDOW = Duration.ofMillis(100);
     private static final Logger LOG = System.getLogger(Agent.class.getName());
 
@@ -72,6 +75,7 @@ final class AgentRuntime implements AgentContext {
     private final Map<Class<?>, Supplier<?>> views = new HashMap<>(); // for those who look
     private final Set<Subscription> held = new LinkedHashSet<>();
     private @Nullable Agent agent;
+    private @Nullable CompletableFuture<Runnable> lastWords; // of one that was stopped
     private AgentPlatform.Status status = AgentPlatform.Status.RUNNING;
     private String state = "";
     private long sent;
@@ -123,8 +127,41 @@ final class AgentRuntime implements AgentContext {
         Agent leaving = agent;
         agent = null; // its last words may make somebody stop it again
         if (leaving != null) {
-            act(leaving, begun -> begun.stop(this));
+            act(leaving, this::stop);
         }
+        if (lastWords == null && status == AgentPlatform.Status.RUNNING) {
+            end(AgentPlatform.Status.ENDED, "");
+        }
+    }
+
+    private void stop(Agent leaving) {
+        if (!(leaving instanceof OutsideAgent outside)) {
+            leaving.stop(this);
+            return;
+        }
+        CompletableFuture<Runnable> words = outside.lastWords(this).toCompletableFuture();
+        if (words.isDone()) {
+            words.join().run();
+            return;
+        }
+        lastWords = words;
+        words.whenComplete((_, _) -> hostLane.execute(this::leave));
+        hostLane.after(LAST_WORDS, this::leave);
+    }
+
+    /// What it still has to say after it was stopped; empty when that is nothing, or was said.
+    Optional<CompletableFuture<Runnable>> lastWords() {
+        return Optional.ofNullable(lastWords);
+    }
+
+    /// Ends one that was stopped, with the last words that are there.
+    void leave() {
+        CompletableFuture<Runnable> words = lastWords;
+        if (words == null) {
+            return;
+        }
+        lastWords = null;
+        act(words, said -> said.getNow(() -> {}).run());
         if (status == AgentPlatform.Status.RUNNING) {
             end(AgentPlatform.Status.ENDED, "");
         }
@@ -173,6 +210,7 @@ final class AgentRuntime implements AgentContext {
 
     private void end(AgentPlatform.Status how, String reason) {
         status = how;
+        lastWords = null;
         List.copyOf(held).reversed().forEach(this::letGo);
         if (how == AgentPlatform.Status.FAILED) {
             spec.robot()

@@ -1,7 +1,9 @@
 package rsal.agent.protocol;
 
+import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
 
 /// One says what it would like to do, another accepts or rejects that: FIPA's Propose Interaction Protocol (SC00036H).
@@ -46,6 +48,56 @@ public final class Propose<P> {
                 }
             }
         });
+    }
+
+    /// As [#answer], by one that decides now or later.
+    ///
+    /// @param judge called on the agent's lane for each proposal
+    /// @throws IllegalStateException when this or [#answer] was called before
+    public void decide(Consumer<? super Pending<P>> judge) {
+        conversations.open(dialogue -> new Deciding(dialogue, judge));
+    }
+
+    /// A proposal about which is not decided yet. The first decision counts.
+    public interface Pending<P> {
+        /// Name of the agent that proposes.
+        String from();
+
+        P what();
+
+        void decide(Verdict verdict);
+    }
+
+    private final class Deciding extends Answering implements Pending<P> {
+        private final Consumer<? super Pending<P>> judge;
+        private @Nullable P what;
+        private boolean decided;
+
+        Deciding(Dialogue dialogue, Consumer<? super Pending<P>> judge) {
+            super(dialogue);
+            this.judge = judge;
+        }
+
+        @Override
+        public void heard(Act act) {
+            if (act.performative() == Performative.PROPOSE) {
+                what = proposal.cast(act.content());
+                judge.accept(this);
+            }
+        }
+
+        @Override
+        public P what() {
+            return Objects.requireNonNull(what);
+        }
+
+        @Override
+        public void decide(Verdict verdict) {
+            if (!decided) {
+                decided = true;
+                say(verdict.accepted() ? Performative.ACCEPT_PROPOSAL : Performative.REJECT_PROPOSAL, verdict.why());
+            }
+        }
     }
 
     /// @param from name of the agent that proposes
