@@ -92,7 +92,7 @@ def _fields(of: type) -> list[str]:
         if isinstance(field, ast.AnnAssign):
             said = ""
             if isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant):
-                said = re.sub(r"``([^`]*)``|:\w+:`([^`]*)`", r"`\1\2`", f": {after.value.value}")
+                said = re.sub(r"``([^`]*)``|:\w+:`([^`]*)`", r"`\1\2`", f": {after.value.value!s}")
             lines.append(f"* `{ast.unparse(field.target)}: {ast.unparse(field.annotation)}`{said}")
     return ["\n".join([*lines, ""])]
 
