@@ -1,10 +1,13 @@
 package rsal.sim;
 
 import java.time.Instant;
-import java.util.ArrayList;
+import java.util.AbstractList;
+import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.RandomAccess;
 import java.util.Set;
 import rsal.device.SimulationControl.Contact;
 import rsal.sim.world.Body;
@@ -13,8 +16,10 @@ import rsal.sim.world.World;
 /// Who runs into what. A touch counts once, for the robot that began it, and is over when the two are a centimeter
 /// apart.
 final class ContactTracker {
-    private final List<Contact> contacts = new ArrayList<>();
+    private static final int FEW = 16;
+
     private final Set<Touch> lasting = new LinkedHashSet<>();
+    private Contact[] contacts = new Contact[FEW]; // the first of them are shared with those that were shown
     private List<Contact> shown = List.of();
 
     /// @param other empty when it is a wall
@@ -31,7 +36,11 @@ final class ContactTracker {
     void ranInto(Body robot, Optional<Body> other, Instant now) {
         var touch = new Touch(robot, other);
         if (touch.fromTheOtherSide().filter(lasting::contains).isEmpty() && lasting.add(touch)) {
-            contacts.add(new Contact(now, robot.name(), other.map(Body::name).orElse(World.WALL)));
+            int count = shown.size();
+            contacts = count < contacts.length ? contacts : Arrays.copyOf(contacts, 2 * count);
+            contacts[count] =
+                    new Contact(now, robot.name(), other.map(Body::name).orElse(World.WALL));
+            shown = new First(contacts, count + 1);
         }
     }
 
@@ -48,10 +57,29 @@ final class ContactTracker {
                 touch.robot.equals(gone) || touch.other.filter(gone::equals).isPresent());
     }
 
+    /// All until now. It stays as it is, and nothing is copied for it: runs may last for days.
     List<Contact> contacts() {
-        if (shown.size() < contacts.size()) {
-            shown = List.copyOf(contacts);
-        }
         return shown;
+    }
+
+    /// The first ones of an array, which do not change any more. Immutable.
+    private static final class First extends AbstractList<Contact> implements RandomAccess {
+        private final Contact[] all;
+        private final int count;
+
+        First(Contact[] all, int count) {
+            this.all = all;
+            this.count = count;
+        }
+
+        @Override
+        public Contact get(int index) {
+            return all[Objects.checkIndex(index, count)];
+        }
+
+        @Override
+        public int size() {
+            return count;
+        }
     }
 }

@@ -71,7 +71,7 @@ class EmptyBoxesTest {
 
     @Test
     void raysEndWhereMarchingOnesDoToTheLastBit() {
-        for (long seed = 0; seed < Rounds.of(400, 40_000); seed++) {
+        for (long seed = 0; seed < Rounds.of(100, 40_000); seed++) {
             var random = new SplittableRandom(seed);
             RasterWalls walls = floor(random);
             var boxes = new EmptyBoxes(walls);
