@@ -197,7 +197,7 @@ class Episodes:
                 self._measured[world] = value
         elif self._reward is not None:
             before = cast(Before, self._before)
-            actions = given.reshape(self.count, len(layout.learners), -1)
+            actions = given.reshape(self.count, len(layout.learners), len(layout.action_fields))
             new = worlds.collisions - before.collisions
             for world in map(int, np.flatnonzero(~self._over)):
                 view = View(
