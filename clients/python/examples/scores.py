@@ -61,7 +61,7 @@ def main() -> None:
     file = Path(options.out)
     begun = file.exists()
     with file.open("a", newline="", encoding="utf-8") as out:
-        writer = csv.writer(out)
+        writer = csv.writer(out, lineterminator="\n")
         if not begun:
             writer.writerow(["task", "configuration", "policy", "episodes", "mean", "low", "high", "successes"])
         for name in options.tasks:

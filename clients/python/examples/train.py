@@ -191,7 +191,7 @@ def train(task: Task, options: argparse.Namespace) -> None:
     out = Path(options.out)
     out.mkdir(parents=True, exist_ok=True)
     curve = (out / f"{task.name.lower()}.csv").open("w", newline="", encoding="utf-8")
-    writer = csv.writer(curve)
+    writer = csv.writer(curve, lineterminator="\n")
     writer.writerow(["generation", "episodes", "agent_steps", "seconds", "mean_return", "best_return", "score"])
     for generation in range(options.generations):
         population = mean + deviation * random.standard_normal((options.population, shape.size))

@@ -100,6 +100,22 @@ def test_rewards_are_not_asked_for_worlds_that_are_over(scenario: str) -> None:
     made.close()
 
 
+def test_scenarios_are_measured_without_learners(scenario: str) -> None:
+    seen: list[tuple[int, float]] = []
+
+    def noted(view: View) -> float:
+        seen.append((view.world, float(view.before.poses("other")[0, 0])))
+        return 1.0
+
+    made = env.make_vec(scenario, num_envs=2, learners="", observe=["velocity"], reward=noted)
+    made.reset(seed=1)
+    _, rewards, *_ = made.step(np.zeros(made.action_shape))
+    assert rewards.shape == (2, 0)
+    assert [world for world, _ in seen] == [0, 1]
+    assert [x for _, x in seen] == pytest.approx([-20, -20], abs=1)
+    made.close()
+
+
 def test_second_episodes_do_not_depend_on_other_worlds(scenario: str) -> None:
     def second(seeds: list[int], world: int) -> bytes:
         made = env.make_vec(scenario, num_envs=len(seeds), learners="learner", threads=1, max_steps=1)

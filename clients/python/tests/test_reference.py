@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import ast
+import dataclasses
 import inspect
+import itertools
 import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
+from typing import cast
 
 from rsal import env, studies
 from rsal.env import tasks
@@ -78,6 +82,21 @@ def _signature(name: str, function: object) -> str:
     return f"{name}({', '.join(_parameters(function, method=True))}) -> {_result(function)}"
 
 
+def _fields(of: type) -> list[str]:
+    """Return the fields of a dataclass whose texts are below them, as a list."""
+    if not dataclasses.is_dataclass(of) or "Attributes:" in (of.__doc__ or ""):
+        return []
+    body = cast(ast.ClassDef, ast.parse(inspect.getsource(of)).body[0]).body
+    lines = []
+    for field, after in itertools.pairwise([*body, ast.Pass()]):
+        if isinstance(field, ast.AnnAssign):
+            said = ""
+            if isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant):
+                said = re.sub(r"``([^`]*)``|:\w+:`([^`]*)`", r"`\1\2`", f": {after.value.value!s}")
+            lines.append(f"* `{ast.unparse(field.target)}: {ast.unparse(field.annotation)}`{said}")
+    return ["\n".join([*lines, ""])]
+
+
 def _members(of: type) -> Iterator[str]:
     for name, member in vars(of).items():
         documented = getattr(member, "func", member)  # of a cached property
@@ -102,6 +121,7 @@ def _reference(module: ModuleType = studies, head: str = _HEAD, prefix: str = "r
     for name in classes:
         described = getattr(module, name)
         parts.append(f"## {name}\n\n{_text(described)}\n")
+        parts += _fields(described)
         parts += _members(described)
     return re.sub(r"\n{3,}", "\n\n", "\n".join(parts))
 

@@ -6,6 +6,7 @@ import hashlib
 import http.server
 import itertools
 import math
+import os
 import socket
 import struct
 import threading
@@ -66,6 +67,12 @@ def test_it_stops_robots_and_time(session: Session) -> None:
     assert session.time == pytest.approx(time + 0.3)
     session.resume()
     assert not session.status()["paused"]
+
+
+@pytest.mark.skipif(not hasattr(os, "getpgid"), reason="groups of processes are those of POSIX")
+def test_ctrl_c_of_a_terminal_does_not_reach_it(session: Session) -> None:
+    assert session._process is not None
+    assert os.getpgid(session._process.pid) != os.getpgid(0)
 
 
 def test_it_has_numbers_for_prometheus(session: Session) -> None:

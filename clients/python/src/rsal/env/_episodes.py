@@ -228,7 +228,7 @@ class Episodes:
             layout=layout,
             world=world,
             observations=worlds.observations[world],
-            actions=given.reshape(self.count, len(layout.learners), -1)[world],
+            actions=given.reshape(self.count, len(layout.learners), len(layout.action_fields))[world],
             all_poses=worlds.poses[world],
             all_collisions=worlds.collisions[world],
             new_collisions=worlds.collisions[world] - before.collisions[world],

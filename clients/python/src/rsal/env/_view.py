@@ -27,6 +27,7 @@ class View:
     """One world after a step, by the truth of the simulation. Arrays are valid during the call only."""
 
     layout: Layout
+    """What the numbers mean. Rewards are in the order of ``layout.learners``."""
     world: int
     """The number of the world, for rewards that remember something of each."""
     observations: Floats

@@ -36,16 +36,23 @@ class Layout:
     """What the numbers of an environment mean."""
 
     learners: tuple[str, ...]
+    """Ids of the robots that learn, in the order of observations, actions and rewards."""
     robots: dict[str, str]
     """Roles of all robots, by id."""
     period: float
     """Simulated time of a step [s]."""
     fields: tuple[str, ...]
+    """What each number of an observation is, with its unit."""
     low: Floats
+    """The least value of each number of an observation."""
     high: Floats
+    """The greatest value of each."""
     action_fields: tuple[str, ...]
+    """What each number of an action is, with its unit."""
     action_low: Floats
+    """The least value of each number of an action."""
     action_high: Floats
+    """The greatest value of each."""
     choices: int
     """Number of choices; 0 for actions of continuous numbers."""
     metrics: tuple[str, ...] = ()

@@ -5,9 +5,8 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import rsal.agent.platform.AgentTurns;
 
-/// Finds agents that never return in stepped runs, whose own threads they hold up. May be used on any thread; one
-/// thread
-/// looks.
+/// Finds agents that never return in stepped runs, whose own threads they hold up. May be used on any thread;
+/// one thread looks.
 public final class SteppedWatch {
     private static final int USUAL_PATIENCE = 20;
 

@@ -70,9 +70,13 @@ public final class Episode implements Truth, AutoCloseable {
     /// stand:
     /// after it, all sensors have measured.
     ///
-    /// @param watch for those who look whether its agents return
     /// @throws rsal.settings.InvalidSettings when the scenario has errors
     /// @throws IllegalArgumentException when a robot lacks what an observation or an action needs
+    public static Episode begin(Blueprint blueprint, long seed) {
+        return begin(blueprint, seed, new SteppedWatch());
+    }
+
+    /// The same, for somebody who looks whether agents return.
     public static Episode begin(Blueprint blueprint, long seed, SteppedWatch watch) {
         var type = new LearnerType();
         RunPlan plan = blueprint.plan(seed, type);

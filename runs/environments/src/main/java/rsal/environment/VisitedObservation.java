@@ -74,8 +74,8 @@ public final class VisitedObservation implements ObservationType {
         }
 
         private long cellOf(Point2d place) {
-            return (long) Math.floor(place.x() / cell) << Integer.SIZE
-                    | (long) Math.floor(place.y() / cell) & 0xFFFF_FFFFL;
+            return ((long) Math.floor(place.x() / cell) << Integer.SIZE)
+                    | ((long) Math.floor(place.y() / cell) & 0xFFFF_FFFFL);
         }
     }
 }

@@ -18,15 +18,16 @@ import rsal.environment.EnvironmentSession;
 import rsal.frame.FramePipe;
 import rsal.settings.InvalidSettings;
 import rsal.settings.Problem;
+import rsal.time.AllowedToReadWallClock;
 
 /// `rsal environments`: simulates worlds for a program that has started this process, such as the Python package. It
 /// asks by frames on stdin, and gets answers on stdout. The process ends when stdin does, by the request `close`, and
-/// when
-/// an agent never returns: no thread can be taken from it.
+/// when an agent never returns: no thread can be taken from it.
 @Command(
         name = "environments",
         hidden = true, // not for people
         description = "Simulate worlds for the Python package, by frames on stdin and stdout.")
+@AllowedToReadWallClock("It looks once a second whether agents return.")
 public final class EnvironmentsCommand extends Subcommand {
     private static final Duration LOOK = Duration.ofSeconds(1);
 
