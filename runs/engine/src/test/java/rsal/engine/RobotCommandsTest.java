@@ -17,7 +17,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Pose2d;
 import rsal.data.Twist2d;
@@ -30,6 +29,7 @@ import rsal.engine.report.Snapshot;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.system.CommandTimeout;
+import rsal.testkit.Trials;
 
 /// What people tell the robots of a world to do: by keys, by a behavior, by a place to go to.
 @Timeout(60)
@@ -297,8 +297,9 @@ class RobotCommandsTest {
         await(s -> roams(robot(s, "roamer")));
     }
 
-    @ParameterizedTest
-    @CsvSource({"idle, odometry", "drifter, amcl", "glider, odometry", "roamer, odometry"})
+    @Trials(
+            value = {"idle, odometry", "drifter, amcl", "glider, odometry", "roamer, odometry"},
+            landing = 2)
     void aRobotIsSentSomewhere(String id, String localizer) {
         assertThat(robot(now(), id).devices()).extracting(DeviceView::name).doesNotContain("localizer", "navigator");
         SentGoal sent = sent(run.operator().goTo(id, new Pose2d(0, 2, 0)));

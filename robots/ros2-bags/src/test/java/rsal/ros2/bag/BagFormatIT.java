@@ -30,6 +30,7 @@ import rsal.navigation.log.LogFormats;
 import rsal.navigation.log.RobotLog;
 import rsal.testkit.OfficialPython;
 import rsal.testkit.Rounds;
+import rsal.testkit.Trials;
 
 /// Bags that rosbags has written, which is none of ours.
 class BagFormatIT {
@@ -230,8 +231,9 @@ class BagFormatIT {
         damage(Files.readAllBytes(only(bag("odom"))), "damaged.mcap");
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"mcap/file", "sqlite3/file", "sqlite3/", "sqlite3/message", "mcap/lz4"})
+    @Trials(
+            value = {"mcap/file", "sqlite3/file", "sqlite3/", "sqlite3/message", "mcap/lz4"},
+            landing = 3)
     void damagedBagsOfOtherStoragesBreakNothing(String storage) throws Exception {
         Path file = only(bag("odom", storage));
         damage(
