@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.testkit.LongTest;
 import tools.jackson.databind.JsonNode;
@@ -35,7 +36,7 @@ class GradeIT {
             }
             """;
 
-    @TempDir
+    @TempDir(factory = WarmProcess.Folder.class, cleanup = CleanupMode.NEVER)
     private Path folder;
 
     @BeforeEach
