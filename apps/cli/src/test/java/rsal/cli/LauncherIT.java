@@ -342,6 +342,36 @@ class LauncherIT {
     }
 
     @Test
+    void classesThatTakeTooLongForEachLandingAreNamed() throws Exception {
+        Files.writeString(project.resolve("report.xml"), """
+                <testsuite name="rsal.A" tests="1" time="12.34"><testcase name="a" classname="rsal.A" time="12"/></testsuite>
+                <testsuite name="rsal.B" tests="1" time="9.96"/>
+                <testsuite name="rsal.C" tests="1" time="0.5"/>
+                <testsuite name="pytest" tests="2" time="30">
+                  <testcase name="d" classname="tests.d" time="2.5"/>
+                  <testcase name="e" classname="tests.d" time="1.5"/>
+                </testsuite>
+                """);
+        assertThat(run("test").err())
+                .contains(
+                        "rsal: The tests that took longest:\n",
+                        "  12.3 s rsal.A: too long for each landing.",
+                        "  10.0 s rsal.B: too long",
+                        "  4.0 s tests.d\n")
+                .doesNotContain("rsal.C", "pytest");
+        assertThat(run("test", "--all").err()).doesNotContain("took longest");
+    }
+
+    @Test
+    void librariesAreFetchedBesideJava() throws Exception {
+        Files.writeString(project.resolve("report.xml"), "<testsuite name=\"rsal.A\" tests=\"2\"/>");
+        layOutPage("#!/bin/sh\n");
+
+        assertThat(run("test").err()).doesNotContain("Fetching the page's libraries");
+        assertThat(builds()).containsOnlyOnce("ci --no-audit").contains("run build", "run types", "run lint");
+    }
+
+    @Test
     void testsThatAreNamedRunAloneAndUnchecked() throws Exception {
         for (String test :
                 List.of("robots/sim/src/test/java/rsal/ATest.java", "apps/cli/src/test/java/rsal/BIT.java")) {
