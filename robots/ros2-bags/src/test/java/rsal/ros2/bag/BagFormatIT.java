@@ -88,19 +88,19 @@ class BagFormatIT {
     }
 
     /// Also those that recorders of Humble and Lyrical have as tables, with an image of 3 MB that nobody asks for.
-    @ParameterizedTest
-    @ValueSource(
-            strings = {
+    @Trials(
+            value = {
                 "mcap/lz4",
                 "mcap/file",
-                "mcap/message",
                 "sqlite3/",
                 "sqlite3/file",
+                "mcap/message",
                 "sqlite3/message",
                 "sqlite3/humble",
                 "sqlite3/lyrical",
                 "sqlite3/utf16"
-            })
+            },
+            landing = 4)
     void storageAndCompressionMakeNoDifference(String storage) throws Exception {
         RobotLog plain = LogFormats.read(bag("odom"), LaserHints.DEFAULT);
         Path other = Files.createDirectory(folder.resolve("other")).resolve("odom");
