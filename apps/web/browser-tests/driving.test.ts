@@ -192,7 +192,7 @@ describe.skipIf(!chromium)('robots of a world', () => {
     await stands('idle');
   });
 
-  it('are given behaviors', async () => {
+  longTest('are given behaviors', async () => {
     await select('idle');
     await page.getByLabel('Behavior').selectOption('wander');
     await moved('idle', 0.5);

@@ -2,7 +2,7 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { afterAll, beforeAll, describe, expect } from 'vitest';
 import { decodeFrame } from '../src/live/frame';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
@@ -58,7 +58,7 @@ describe.skipIf(!chromium)('a page whose code comes late', () => {
 
   const isThere = (page: Page, robot: string) => page.locator(`tr[data-robot="${robot}"][data-x]`).waitFor();
 
-  it('has the run by the line that was opened before, and no other', async () => {
+  longTest('has the run by the line that was opened before, and no other', async () => {
     const page = await open(running.url);
     const { lines, times } = await late(page, running.url);
     await eventually(() => Promise.resolve(times.length > 0), 'a frame is there');

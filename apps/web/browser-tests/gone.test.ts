@@ -34,6 +34,7 @@ describe.skipIf(!chromium)('a robot that is gone', () => {
     eventually(async () => (await says(robot)).startsWith('gone'), `${robot} is gone`);
 
   it('is said to be so, and asked no more what it can do', async () => {
+    await rsal.post('speed', { factor: '4' });
     await isGone('stays');
     await row('stays').click();
     await page.locator('.card .gone').waitFor();

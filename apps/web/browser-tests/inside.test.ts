@@ -63,7 +63,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await eventually(async () => (await talks.count()) === 0, 'it is closed again');
   });
 
-  it('has a mailbox of what reached it, the newest first', async () => {
+  longTest('has a mailbox of what reached it, the newest first', async () => {
     const page = await opened(1400, 900, 'light');
     await look(page, 'nav-1');
     const inside = agent(page, 'nav-1');

@@ -1,10 +1,10 @@
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
-import { beforeAll, describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect } from 'vitest';
 import { chromium } from './chromium';
 import { eventually } from './eventually';
 import { Rsal } from './rsal';
-import { picture, visits, trials } from './visits';
+import { longTest, picture, visits } from './visits';
 import { poseOf, type Place } from './world';
 import type { Mounts } from '../src/api/messages';
 import { texts } from '../src/texts';
@@ -238,12 +238,14 @@ describe.skipIf(!chromium)('each layer of the map', () => {
   }
 
   /** Walls, what a robot maps, and what it measures come first. */
-  const names = trials(
-    [...new Set(['floor', 'map', 'scans', ...Object.keys(texts.layers)] as (keyof typeof texts.layers)[])],
-    3,
-  );
+  const names = new Set([
+    'floor',
+    'map',
+    'scans',
+    ...Object.keys(texts.layers),
+  ] as (keyof typeof texts.layers)[]);
 
-  it.each(names)('is drawn: %s', async (name) => {
+  longTest.each([...names])('is drawn: %s', async (name) => {
     const { at, within, colors } = expected[name];
     const chip = page.getByRole('button', { name: texts.layers[name], exact: true });
     const isOn = (await chip.getAttribute('aria-pressed')) === 'true';

@@ -33,7 +33,7 @@ describe.skipIf(!chromium)('who hears whom', () => {
     return drawn(page);
   }
 
-  it('is drawn, and asked for, only while the layer is on', async () => {
+  longTest('is drawn, and asked for, only while the layer is on', async () => {
     const page = await opened('light');
     const asked: string[] = [];
     page.on('request', (request) => asked.push(new URL(request.url()).pathname));

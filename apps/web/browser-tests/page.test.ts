@@ -87,7 +87,7 @@ describe.skipIf(!chromium)('the page', () => {
     await eventually(async () => (await time()) > paused + 0.5, 'time goes on');
   });
 
-  it('goes as fast as it is told', async () => {
+  longTest('goes as fast as it is told', async () => {
     const rate = async () =>
       Number.parseFloat((await page.getByTestId('rate').innerText()).replace(/^\D*/, ''));
     const speed = page.getByTestId('speed');
@@ -171,7 +171,7 @@ describe.skipIf(!chromium)('the page', () => {
     expect(await late.getByRole('alert').getByText(/./).count()).toBe(0);
   });
 
-  it.each(SIZES)('shows all digits of a place at %i × %i', async (width, height) => {
+  longTest.each(SIZES)('shows all digits of a place at %i × %i', async (width, height) => {
     page = await opened(rsal.url, { viewport: { width, height } });
     await page.keyboard.press('1');
     await page.getByText('Pose: send, place, copy, remove').click();
@@ -463,7 +463,7 @@ describe.skipIf(!chromium)('the page', () => {
     expect(await page.getByTestId('outcome').count()).toBe(0);
   });
 
-  it.each(SIZES)('shows the whole ending beside the map at %i × %i', async (width, height) => {
+  longTest.each(SIZES)('shows the whole ending beside the map at %i × %i', async (width, height) => {
     await rsal.post('restart', { configuration: 'advanced', arguments: {} });
     page = await opened(rsal.url, { viewport: { width, height } });
     await rsal.post('stop');
@@ -564,29 +564,32 @@ describe.skipIf(!chromium)('the page', () => {
     await eventually(async () => (await picture()).equals(all), 'scans are back');
   });
 
-  it.each(looks)('breaks no rule of accessibility: %s at %i × %i', async (colorScheme, width, height) => {
-    page = await opened(rsal.url, { colorScheme, viewport: { width, height } });
-    const check = (what: string) => expectAccessible(page, undefined, what);
-    await check('as it comes');
-    await page.keyboard.press('1');
-    await check('with a robot selected');
-    await page.keyboard.press('?');
-    await check('with the keys');
-    await page.keyboard.press('Escape');
-    await page.keyboard.press('r');
-    await check('with the form to run again');
-    await page.getByRole('dialog', { name: 'Restart' }).getByLabel('Seed').fill('seven');
-    await page.getByRole('dialog').getByRole('button', { name: 'Restart' }).click();
-    await page.getByRole('dialog').getByRole('alert').waitFor();
-    await check('with errors in the form');
-    await page.keyboard.press('Escape');
-    await rsal.post('estop');
-    await page.getByText('Press Arm to switch them on').waitFor();
-    await check('after an emergency stop');
-    await rsal.post('stop');
-    await page.getByTestId('outcome').waitFor();
-    await check('at the end');
-  });
+  longTest.each(looks)(
+    'breaks no rule of accessibility: %s at %i × %i',
+    async (colorScheme, width, height) => {
+      page = await opened(rsal.url, { colorScheme, viewport: { width, height } });
+      const check = (what: string) => expectAccessible(page, undefined, what);
+      await check('as it comes');
+      await page.keyboard.press('1');
+      await check('with a robot selected');
+      await page.keyboard.press('?');
+      await check('with the keys');
+      await page.keyboard.press('Escape');
+      await page.keyboard.press('r');
+      await check('with the form to run again');
+      await page.getByRole('dialog', { name: 'Restart' }).getByLabel('Seed').fill('seven');
+      await page.getByRole('dialog').getByRole('button', { name: 'Restart' }).click();
+      await page.getByRole('dialog').getByRole('alert').waitFor();
+      await check('with errors in the form');
+      await page.keyboard.press('Escape');
+      await rsal.post('estop');
+      await page.getByText('Press Arm to switch them on').waitFor();
+      await check('after an emergency stop');
+      await rsal.post('stop');
+      await page.getByTestId('outcome').waitFor();
+      await check('at the end');
+    },
+  );
 
   longTest('keeps what was selected when it loses its connection for a moment', async () => {
     let lose = () => {};

@@ -25,7 +25,7 @@ describe.skipIf(!chromium)('plots', () => {
     await numbers.locator(`option[value="${DISTANCE}"]`).waitFor({ state: 'attached' });
     await numbers.selectOption(SPEED);
     await numbers.selectOption(DISTANCE);
-    await rsal.post('speed', { factor: '10' }); // until there is something to look at
+    await rsal.post('speed', { factor: '40' }); // until there is something to look at
     await ticks('−60 s'); // no more, though more will be known
     await eventually(
       async () => (await page.getByTestId('time').innerText()) > '1:02',

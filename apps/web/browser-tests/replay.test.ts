@@ -309,7 +309,7 @@ describe.skipIf(!chromium)('looking back', () => {
     },
   );
 
-  it('looks back in a run that goes on, and to the present again', async () => {
+  longTest('looks back in a run that goes on, and to the present again', async () => {
     await running.post('restart', { configuration: 'virtual', seed: '5' });
     await look(running.url);
     await eventually(async () => (await time()) > 4, 'it has run a while');

@@ -22,7 +22,7 @@ describe.skipIf(!chromium)('the choice of a scenario', () => {
   const catalog = (page: Page) => page.getByRole('dialog', { name: 'Scenarios' });
   const card = (page: Page, id: string) => catalog(page).locator(`[data-scenario="${id}"]`);
 
-  it('comes first, with a picture of each, while the first run waits', async () => {
+  longTest('comes first, with a picture of each, while the first run waits', async () => {
     const page = await opened(rsal.url);
     await catalog(page).waitFor();
     await eventually(

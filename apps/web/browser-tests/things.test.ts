@@ -87,7 +87,7 @@ describe.skipIf(!chromium)('a world of things', () => {
     );
   });
 
-  it('says why a thing has no room, and leaves it where it is', async () => {
+  longTest('says why a thing has no room, and leaves it where it is', async () => {
     await drag(page, { x: 2, y: 2 }, { x: 5.9, y: 2 });
     const alert = page.getByRole('alert');
     await alert.getByText("'crate' does not fit").waitFor();
@@ -109,7 +109,7 @@ describe.skipIf(!chromium)('a world of things', () => {
     await page.getByText('Things 3').waitFor();
   });
 
-  it('takes boxes and balls, by mouse and by keys', async () => {
+  longTest('takes boxes and balls, by mouse and by keys', async () => {
     const { x, y } = await onScreen(page, { x: 4, y: 1 });
     await page.mouse.click(x, y, { button: 'right' });
     await page.getByRole('menuitem', { name: 'Add a box here' }).click();
@@ -158,7 +158,7 @@ describe.skipIf(!chromium)('a world of things', () => {
     expect(((await answer.json()) as { robots: unknown[] }).robots).toHaveLength(3);
   });
 
-  it('takes robots of models, also where there is none', async () => {
+  longTest('takes robots of models, also where there is none', async () => {
     for (const id of ['a', 'b']) {
       await rsal.post('remove', { name: id });
       await robot(id).waitFor({ state: 'detached' });

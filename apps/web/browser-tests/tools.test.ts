@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { chromium } from './chromium';
 import { eventually, settled } from './eventually';
 import { Rsal } from './rsal';
-import { expectAccessible, longTest, picture, visits } from './visits';
+import { expectAccessible, longTest, picture, trials, visits } from './visits';
 
 const TEAM = fileURLToPath(new URL('talk.yaml', import.meta.url));
 
@@ -75,7 +75,7 @@ describe.skipIf(!chromium)('what people work with', () => {
     await panel.getByRole('button', { name: 'Chart' }).click();
   });
 
-  it('numbers of any device are plotted', async () => {
+  longTest('numbers of any device are plotted', async () => {
     await page.locator('tr[data-robot="courier-1"]').click();
     await page.getByText('Plots', { exact: true }).click();
     const numbers = page.getByLabel('Plot a number…');
@@ -305,11 +305,13 @@ describe.skipIf(!chromium)('what people work with', () => {
     },
   );
 
-  describe.each([
-    ['side by side', 1280, 800, 'Border between robots and agents', true, 'ArrowRight'],
-    ['in a corner', 1024, 768, 'Border between robots and agents', true, 'ArrowRight'],
-    ['in a corner', 820, 1180, 'Border between events and what is above them', false, 'ArrowDown'],
-  ] as const)('panels that lie %s at %i × %i', (_, width, height, name, upright, key) => {
+  describe.each(
+    trials([
+      ['side by side', 1280, 800, 'Border between robots and agents', true, 'ArrowRight'],
+      ['in a corner', 1024, 768, 'Border between robots and agents', true, 'ArrowRight'],
+      ['in a corner', 820, 1180, 'Border between events and what is above them', false, 'ArrowDown'],
+    ] as const),
+  )('panels that lie %s at %i × %i', (_, width, height, name, upright, key) => {
     it('share their room as somebody wants it, by a pointer, a finger and keys', async () => {
       await page.setViewportSize({ width, height });
       const border = page.getByRole('separator', { name, exact: true });

@@ -38,7 +38,7 @@ describe.skipIf(!chromium)('the view of the world', () => {
 
   const WHITE = [255, 255, 255];
 
-  it('is turned by keys and back, and all stays where it is drawn', async () => {
+  longTest('is turned by keys and back, and all stays where it is drawn', async () => {
     await page.getByRole('button', { name: 'Grid' }).click();
     await page.getByRole('button', { name: 'Scans' }).click();
     const back = page.getByRole('button', { name: 'Reset the rotation' });

@@ -55,6 +55,7 @@ import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.InvalidSettings;
 import rsal.system.RobotSystemProvider;
+import rsal.testkit.LongTest;
 import rsal.testkit.Rounds;
 import rsal.testkit.contract.Ports;
 import rsal.testkit.contract.RobotBench;
@@ -264,6 +265,7 @@ class AgentSpeakAgentTest extends RobotBench {
     // ── Actions ──────────────────────────────────────────────────────────────────────────────────────────────────
 
     @Test
+    @LongTest
     void oneIntentionWaitsForItsWayWhileOthersGoOn() {
         Pose2d goal = WORLD.pose('a', 0);
         startOnRobot("""
@@ -448,6 +450,7 @@ class AgentSpeakAgentTest extends RobotBench {
     }
 
     @Test
+    @LongTest
     void theyTellEachOtherHow() {
         start("amy", """
                 what("a \\"fine\\" thing").
@@ -572,6 +575,7 @@ class AgentSpeakAgentTest extends RobotBench {
     }
 
     @Test
+    @LongTest
     void itDrivesAsNearAsItIsTold() {
         Pose2d goal = WORLD.pose('a', 0);
         startOnRobot("!go. +!go <- goto_near(%f, %f, 1.5); state(\"near\").".formatted(goal.x(), goal.y()));

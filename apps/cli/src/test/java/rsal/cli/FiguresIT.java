@@ -22,7 +22,7 @@ import rsal.experiment.Row;
 import rsal.experiment.report.NumberFormats;
 import rsal.experiment.statistics.Mean;
 import rsal.scenario.text.NumberText;
-import rsal.testkit.Rounds;
+import rsal.testkit.LongTest;
 
 /// The figures in READMEs of scenarios are what a sweep tells, a row for each seed. The first row is run again here.
 /// `-Drsal.update=true` runs all, and writes them again:
@@ -38,7 +38,6 @@ class FiguresIT {
     private static final Pattern SEEDS = Pattern.compile("--seeds (\\d+)-\\d+");
     private static final String NOTHING = "–";
     private static final boolean UPDATE = Boolean.getBoolean("rsal.update");
-    private static final int OF_EACH_LANDING = 1; // README
     private static final int LONGEST = 20; // min, of all seeds
 
     @TempDir
@@ -53,7 +52,7 @@ class FiguresIT {
         }
         all.removeIf(file -> !text(file).contains("<!-- figures: "));
         assertThat(all).isNotEmpty();
-        return all.stream().limit(UPDATE ? all.size() : Rounds.of(OF_EACH_LANDING, all.size()));
+        return all.stream();
     }
 
     private static String text(Path file) {
@@ -66,6 +65,7 @@ class FiguresIT {
 
     @ParameterizedTest
     @MethodSource("readmes")
+    @LongTest
     void areWhatASweepTells(Path readme) throws Exception {
         var written = new StringBuilder();
         Matcher block = FIGURES.matcher(text(readme));

@@ -17,6 +17,7 @@ import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder;
 import org.junit.platform.launcher.core.LauncherFactory;
 import org.junit.platform.launcher.listeners.SummaryGeneratingListener;
 import org.junit.platform.launcher.listeners.TestExecutionSummary;
+import rsal.testkit.LongTest;
 
 /// Does what the first hour says: writes its files, compiles them, runs their tests, types its commands. Only Maven is
 /// left out, which would build all of RSAL again.
@@ -46,6 +47,7 @@ class FirstHourIT {
     }
 
     @Test
+    @LongTest
     void itsTestsPass() throws Exception {
         own.compile("test", own.classes() + ":" + System.getProperty("java.class.path"));
         List<String> named =

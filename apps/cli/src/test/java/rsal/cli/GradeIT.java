@@ -7,7 +7,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.testkit.LongTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -34,7 +36,7 @@ class GradeIT {
             }
             """;
 
-    @TempDir
+    @TempDir(factory = WarmProcess.Folder.class, cleanup = CleanupMode.NEVER)
     private Path folder;
 
     @BeforeEach
@@ -57,6 +59,7 @@ class GradeIT {
     }
 
     @Test
+    @LongTest
     void eachStudentGetsARowWhateverTheirAgentDoes() throws Exception {
         handIn("alice", "");
         handIn("bob", "this is no Java");
@@ -110,6 +113,22 @@ class GradeIT {
     }
 
     @Test
+    void anAgentThatCanNotBeCompiledHarmsNoOther() throws Exception {
+        handIn("alice", "");
+        handIn("bob", "this is no Java");
+
+        Ended graded = rsal(
+                "grade", "students", "--scenario", "lab/lab.yaml", "--seeds", "1:1", "--time", "30", "--out", "out");
+
+        assertThat(graded.code()).as(graded.err()).isZero();
+        assertThat(Files.readAllLines(folder.resolve("out/summary.csv")))
+                .satisfiesExactly(
+                        line -> assertThat(line).isEqualTo("student,runs,successes,message"),
+                        line -> assertThat(line).isEqualTo("alice,1,1,"),
+                        line -> assertThat(line).startsWith("bob,1,0,").contains("Go.java:3:"));
+    }
+
+    @Test
     void errorsOfTheTeacherAreTold() throws Exception {
         handIn("alice", "");
         write("lab/none.yaml", SCENARIO.replace("Go.java", "wander"));
@@ -132,6 +151,7 @@ class GradeIT {
     }
 
     @Test
+    @LongTest
     void anAgentIsTestedWithSeveralSeeds() throws Exception {
         write("lab/Go.java", AGENT.formatted(""));
 

@@ -10,9 +10,8 @@ import java.util.List;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import rsal.cli.terminal.Exit;
+import rsal.testkit.Trials;
 
 /// Types the commands of pages that have no test of their own: those that end by themselves, in their order, in one
 /// folder that has the log of a robot.
@@ -23,8 +22,7 @@ class HowTosIT {
     @TempDir(factory = WarmProcess.Folder.class, cleanup = CleanupMode.NEVER)
     Path folder;
 
-    @ParameterizedTest
-    @ValueSource(strings = {"record", "mapping", "localization"})
+    @Trials({"localization", "record", "mapping"})
     void commandsDoWhatTheyAreFor(String page) throws Exception {
         writeLog();
         var rsal = new Rsal(folder);

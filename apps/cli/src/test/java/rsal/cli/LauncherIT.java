@@ -3,6 +3,7 @@ package rsal.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
@@ -22,6 +23,7 @@ import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,6 +32,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 import rsal.cli.page.PageCommand;
 import rsal.cli.terminal.Exit;
+import rsal.testkit.LongTest;
 
 /// Starts the launcher in a project of three files, whose "Maven" copies a jar and notes that it was called.
 class LauncherIT {
@@ -116,6 +119,8 @@ class LauncherIT {
             "chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "Xvfb");
     private static final Duration PATIENCE = Duration.ofSeconds(10);
 
+    private static byte[] mainJar = {};
+
     @TempDir
     Path folder;
 
@@ -128,7 +133,7 @@ class LauncherIT {
         Files.copy(LAUNCHER, project.resolve("rsal"), StandardCopyOption.COPY_ATTRIBUTES);
         Files.createDirectories(project.resolve("apps/cli/src/main"));
         Files.writeString(project.resolve("pom.xml"), "");
-        writeMain(project.resolve("main.jar"));
+        Files.write(project.resolve("main.jar"), mainJar);
         writeExecutable(project.resolve("mvnw"), MAVEN);
         writeExecutable(Files.createDirectories(folder.resolve("bin")).resolve("unzip"), "#!/bin/sh\n");
         writeExecutable(folder.resolve("bin/apt-get"), APT_GET); // else a test would install
@@ -228,6 +233,7 @@ class LauncherIT {
     }
 
     @Test
+    @LongTest
     void keepsABuildForAsLongAsSomethingRunsFromIt() throws Exception {
         Process waiting = start(project, "./rsal", "wait");
         try (var out = waiting.inputReader()) {
@@ -336,6 +342,36 @@ class LauncherIT {
     }
 
     @Test
+    void classesThatTakeTooLongForEachLandingAreNamed() throws Exception {
+        Files.writeString(project.resolve("report.xml"), """
+                <testsuite name="rsal.A" tests="1" time="12.34"><testcase name="a" classname="rsal.A" time="12"/></testsuite>
+                <testsuite name="rsal.B" tests="1" time="9.96"/>
+                <testsuite name="rsal.C" tests="1" time="0.5"/>
+                <testsuite name="pytest" tests="2" time="30">
+                  <testcase name="d" classname="tests.d" time="2.5"/>
+                  <testcase name="e" classname="tests.d" time="1.5"/>
+                </testsuite>
+                """);
+        assertThat(run("test").err())
+                .contains(
+                        "rsal: The tests that took longest:\n",
+                        "  12.3 s rsal.A: too long for each landing.",
+                        "  10.0 s rsal.B: too long",
+                        "  4.0 s tests.d\n")
+                .doesNotContain("rsal.C", "pytest");
+        assertThat(run("test", "--all").err()).doesNotContain("took longest");
+    }
+
+    @Test
+    void librariesAreFetchedBesideJava() throws Exception {
+        Files.writeString(project.resolve("report.xml"), "<testsuite name=\"rsal.A\" tests=\"2\"/>");
+        layOutPage("#!/bin/sh\n");
+
+        assertThat(run("test").err()).doesNotContain("Fetching the page's libraries");
+        assertThat(builds()).containsOnlyOnce("ci --no-audit").contains("run build", "run types", "run lint");
+    }
+
+    @Test
     void testsThatAreNamedRunAloneAndUnchecked() throws Exception {
         for (String test :
                 List.of("robots/sim/src/test/java/rsal/ATest.java", "apps/cli/src/test/java/rsal/BIT.java")) {
@@ -381,7 +417,7 @@ class LauncherIT {
         layOutPage("#!/bin/sh\n");
         Files.createFile(layOutSite().resolve("broken"));
 
-        Ended ended = run("test");
+        Ended ended = run("test", "--all"); // which builds the site
 
         assertThat(ended.code()).isEqualTo(1);
         assertThat(ended.out().strip()).isEqualTo("2 passed, 1 failed");
@@ -392,6 +428,7 @@ class LauncherIT {
     }
 
     @Test
+    @LongTest
     void installsWhatTestsNeedAtOnce() throws Exception {
         Files.writeString(project.resolve("report.xml"), "<testsuite name=\"rsal.A\" tests=\"2\"/>");
         layOutPage("#!/bin/sh\n");
@@ -606,6 +643,7 @@ class LauncherIT {
     }
 
     @Test
+    @LongTest
     void aBrokenCacheDoesNotMatter() throws Exception {
         environment.put("JAVA_HOME", System.getProperty("java.home"));
         run("list");
@@ -671,6 +709,7 @@ class LauncherIT {
     }
 
     @Test
+    @LongTest
     void aReleaseIsBuiltAgainOnlyWhenItsSourcesHaveChanged() throws Exception {
         layOutPage("#!/bin/sh\n");
         layOutSite();
@@ -777,13 +816,16 @@ class LauncherIT {
         return Files.readAllLines(project.resolve("builds"));
     }
 
-    private void writeMain(Path jar) throws IOException {
+    @BeforeAll
+    static void writeMain(@TempDir Path folder) throws IOException {
         Path source = Files.writeString(folder.resolve("Main.java"), SOURCE);
         ToolProvider.getSystemJavaCompiler().run(null, null, null, "-d", folder.toString(), source.toString());
-        try (var out = new JarOutputStream(Files.newOutputStream(jar))) {
+        var jar = new ByteArrayOutputStream();
+        try (var out = new JarOutputStream(jar)) {
             out.putNextEntry(new JarEntry("rsal/cli/Main.class"));
             Files.copy(folder.resolve("rsal/cli/Main.class"), out);
         }
+        mainJar = jar.toByteArray();
     }
 
     private static void writeExecutable(Path file, String text) throws IOException {

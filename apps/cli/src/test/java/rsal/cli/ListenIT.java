@@ -21,20 +21,21 @@ import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 
 /// `rsal certificate`, and runs that other machines reach.
 class ListenIT {
     private static final String WATCHER = "watcher-0123456789";
 
-    @TempDir
+    @TempDir(factory = WarmProcess.Folder.class, cleanup = CleanupMode.NEVER)
     private Path folder;
 
     private Rsal rsal;
 
     @BeforeEach
     void withAPage() throws Exception {
-        rsal = new Rsal(folder).withPage();
+        rsal = new Rsal(folder);
     }
 
     private List<String> listening(int port, String... more) {
@@ -68,7 +69,8 @@ class ListenIT {
             port = free.getLocalPort();
         }
 
-        Process run = rsal.inEnvironment(
+        Process run = rsal.withPage()
+                .inEnvironment(
                         Map.of("RSAL_TOKEN_FILE", folder.resolve("tokens").toString()))
                 .start(listening(port).toArray(String[]::new));
         try (BufferedReader reported = run.errorReader()) {
@@ -86,7 +88,7 @@ class ListenIT {
                         .isEqualTo(200);
             }
 
-            Ended second = rsal.run(listening(port).toArray(String[]::new));
+            Ended second = rsal.withPage().run(listening(port).toArray(String[]::new));
             assertThat(second.code()).as(second.err()).isEqualTo(5);
             assertThat(second.err()).contains("%d".formatted(port)).doesNotContain("Something went wrong");
         } finally {

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.testkit.LongTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -89,6 +90,7 @@ class LogsIT {
     }
 
     @Test
+    @LongTest
     void partsHaveLevelsOfTheirOwnAlsoOnStderr() throws Exception {
         Ended ended = new Rsal(folder)
                 .run(

@@ -21,6 +21,7 @@ import rsal.data.OccupancyGrid;
 import rsal.map.Maps;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.testkit.LongTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -82,12 +83,14 @@ class MapTest {
     }
 
     @Test
+    @LongTest
     void beamsThatHitNothingDrawFreeFloorWhenAskedTo() throws IOException {
         assertThat(map("max8191", "--free-range", "10").freeFloor()).isGreaterThan(300);
     }
 
     /// 44 s without a scan, in which the robot drove into a room that looks like the one it left.
     @Test
+    @LongTest
     void odometryBridgesAGapInTheLog() throws IOException {
         Mapped mapped = map("gap");
         mapped.assertWhole();

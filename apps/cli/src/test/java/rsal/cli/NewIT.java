@@ -12,6 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rsal.cli.terminal.Exit;
+import rsal.testkit.LongTest;
 import rsal.testkit.Trials;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -58,11 +59,12 @@ class NewIT {
         Ended run = rsal.run("run", "chase/chase.yaml", "--headless", "--speed", "max", "--seed", "3");
         assertThat(run.code()).as(run.err()).isEqualTo(Exit.SUCCESS);
         assertThat(run.out()).startsWith("chase:default, seed 3\n").containsPattern("outcome +success");
-        assertThat(test("chase", "2").code()).isEqualTo(Exit.SUCCESS);
+        assertThat(test("chase", "1").code()).isEqualTo(Exit.SUCCESS);
         assertThat(rsal.run("show", "chase/Hunter.java").out()).contains("catchDistance", "Navigator");
     }
 
     @Test
+    @LongTest
     void aControllerIsWhatOneBeginsWithWhenOneSaysSo() throws Exception {
         Ended ended = rsal.run("new", "crawl", "--kind", "controller");
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
@@ -107,6 +109,7 @@ class NewIT {
 
     /// Whoever made a recording may have written anything into the program of an agent.
     @Test
+    @LongTest
     void aRecordingsProgramsAreRunOnlyForThoseWhoTrustIt() throws Exception {
         rsal.run("new", "chase");
         rsal.run("run", "chase", "--headless", "--speed", "max", "--for", "5", "--record", "chase.mcap");
@@ -178,6 +181,7 @@ class NewIT {
     }
 
     @Test
+    @LongTest
     void itsFolderStandsForItsFile() throws Exception {
         rsal.run("new", "chase", "--from", "hunt-and-prey");
         assertThat(rsal.run("validate", "chase", "chase:jason", "chase:jsaon").out())

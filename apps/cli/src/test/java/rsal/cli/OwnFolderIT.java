@@ -11,8 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import rsal.testkit.Trials;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -23,15 +22,15 @@ class OwnFolderIT {
     @TempDir
     Path folder;
 
-    @ParameterizedTest
-    @ValueSource(
-            strings = {
+    @Trials(
+            value = {
                 "own-device",
                 "another-robot-system",
                 "another-bridge",
                 "another-world-format",
                 "another-log-format"
-            })
+            },
+            landing = 2)
     void itsCommandsShowWhatItSays(String guide) throws Exception {
         String page = Files.readString(HOW_TO.resolve(guide + ".md"));
         OwnFolder own = OwnFolder.of(page, folder);

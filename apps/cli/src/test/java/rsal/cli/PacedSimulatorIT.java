@@ -27,6 +27,7 @@ import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
 import rsal.system.BridgeProvider;
 import rsal.system.CommandTimeout;
+import rsal.testkit.LongTest;
 
 /// A simulator that goes as fast as the run which follows its time over DDS, though that run is slow.
 @Timeout(value = 3, unit = TimeUnit.MINUTES)
@@ -141,6 +142,7 @@ class PacedSimulatorIT {
     /// Neither the simulator nor the follower stops the robot, though they wait for longer than the half second that a
     /// command holds.
     @Test
+    @LongTest
     void aStallOfTheFollowerStopsNoRobot() throws Exception {
         await(run, snapshot -> snapshot.time().compareTo(Duration.ofSeconds(2)) > 0);
         Snapshot first = simulator.freshSnapshot().toCompletableFuture().join();

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.testkit.LongTest;
 
 /// The cache from which releases start fast.
 class PrepareIT {
@@ -13,6 +14,7 @@ class PrepareIT {
     private Path folder;
 
     @Test
+    @LongTest
     void makesACacheOnceFromWhichJavaStarts() throws Exception {
         Path cache = folder.resolve("inner").resolve("start.aot");
         Rsal rsal = new Rsal(folder).withPage().with("-Drsal.cache=" + cache);

@@ -8,6 +8,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.cli.terminal.Exit;
+import rsal.testkit.LongTest;
 import rsal.testkit.OfficialPython;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -18,6 +19,7 @@ class PythonRunIT {
     Path folder;
 
     @Test
+    @LongTest
     void agentsInThreeLanguagesRunTogetherAndEqualSeedsGiveEqualRuns() throws Exception {
         Rsal rsal = python();
         assertThat(rsal.run("new", "mine", "--from", "hunt-and-prey").code()).isEqualTo(Exit.SUCCESS);

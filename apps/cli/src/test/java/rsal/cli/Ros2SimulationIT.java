@@ -13,10 +13,9 @@ import java.util.Objects;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import rsal.cli.terminal.Exit;
 import rsal.testkit.OfficialPython;
+import rsal.testkit.Trials;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -47,8 +46,7 @@ class Ros2SimulationIT {
         return answers;
     }
 
-    @ParameterizedTest
-    @CsvSource({"1, 48", "2, 49"})
+    @Trials({"1, 48", "2, 49"})
     void toolsOfRosControlTheRun(String version, int offset) throws Exception {
         String domain = Long.toString(1 + (ProcessHandle.current().pid() + offset) % 100); // no other test's
         Process robots = new Rsal(folder)

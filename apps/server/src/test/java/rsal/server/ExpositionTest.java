@@ -37,6 +37,7 @@ import rsal.server.RawHttp.Response;
 import rsal.server.live.Viewer;
 import rsal.server.monitor.Family;
 import rsal.server.monitor.Family.Sample;
+import rsal.testkit.LongTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.ObjectMapper;
 
@@ -158,6 +159,7 @@ class ExpositionTest {
     }
 
     @Test
+    @LongTest
     void agreesWithTheApi() throws Exception {
         try (var server = Errand.serve("talk.yaml", directory, 0)) {
             server.run()
@@ -199,6 +201,7 @@ class ExpositionTest {
     }
 
     @Test
+    @LongTest
     void countersGoOnFromRunToRun() throws Exception {
         try (var server = Errand.serve(directory, 0)) {
             PrometheusText before = await(server, text -> text.value("rsal_run_time_seconds") > 1);
@@ -251,6 +254,7 @@ class ExpositionTest {
     }
 
     @Test
+    @LongTest
     void doesNotChangeTheRun() throws Exception {
         RunPlan plan = Errand.plan(
                 "talk.yaml", RunOptions.NONE.withLimit(Duration.ofSeconds(8)).withSpeed(Double.POSITIVE_INFINITY));

@@ -24,6 +24,7 @@ import java.util.concurrent.CompletionException;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -41,6 +42,8 @@ class ListeningTest {
     private static final String ADMIN = "admin-0123456789ab";
     private static final String PROXY = "https://robots.example.org";
 
+    private static KeyStore identity;
+
     @TempDir
     private Path directory;
 
@@ -48,9 +51,14 @@ class ListeningTest {
     private HttpClient client;
     private String address;
 
+    /// One for all of them: making it takes a process.
+    @BeforeAll
+    static void identify(@TempDir Path folder) throws Exception {
+        identity = identity(folder);
+    }
+
     @BeforeEach
     void listen() throws Exception {
-        KeyStore identity = identity();
         int port;
         try (var free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             port = free.getLocalPort();
@@ -86,8 +94,8 @@ class ListeningTest {
     }
 
     /// Self-signed, for localhost, without a password.
-    private KeyStore identity() throws Exception {
-        Path file = directory.resolve("store.p12");
+    private static KeyStore identity(Path folder) throws Exception {
+        Path file = folder.resolve("store.p12");
         int code = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "keytool")
                                 .toString(),

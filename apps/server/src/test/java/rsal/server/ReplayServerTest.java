@@ -27,6 +27,10 @@ class ReplayServerTest {
     private static final String TOKEN = "a-token-of-a-test";
     private static final String WITH_TOKEN = "Authorization: Bearer " + TOKEN;
 
+    /// Made once for all tests, which only look at them.
+    @TempDir
+    static Path recordings;
+
     @TempDir
     Path folder;
 
@@ -40,8 +44,10 @@ class ReplayServerTest {
     }
 
     private void show(String scenario, int seconds) throws Exception {
-        Path file = folder.resolve(scenario + ".mcap");
-        RecordedPastTest.record(RecordedPastTest.plan(scenario, seconds), file);
+        Path file = recordings.resolve("%s-%d.mcap".formatted(scenario, seconds));
+        if (Files.notExists(file)) {
+            RecordedPastTest.record(RecordedPastTest.plan(scenario, seconds), file);
+        }
         show(file);
     }
 

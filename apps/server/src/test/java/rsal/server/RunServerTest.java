@@ -27,10 +27,13 @@ import java.util.Random;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.zip.GZIPInputStream;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInfo;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -42,27 +45,53 @@ import rsal.engine.report.Snapshot;
 import rsal.server.RawHttp.Response;
 import rsal.server.http.Http;
 import rsal.server.message.Json;
+import rsal.testkit.Trials;
 
 class RunServerTest {
     private static final String WITH_TOKEN = "Authorization: Bearer " + TOKEN;
 
+    /// Of tests that change nothing: all of them have one server.
+    private static final String UNCHANGED = "unchanged";
+
+    @TempDir
+    private static Path page;
+
+    private static Optional<RunServer> unchanged = Optional.empty();
+
     @TempDir
     private Path directory;
 
+    private boolean isUnchanged;
     private RunServer server;
     private int port;
     private String host;
 
     @BeforeEach
-    void start() throws IOException, PortInUse {
-        server = Errand.serve(directory, 0);
+    void start(TestInfo test) throws IOException, PortInUse {
+        isUnchanged = test.getTags().contains(UNCHANGED);
+        server = isUnchanged ? ofAll() : Errand.serve(directory, 0);
         port = server.url().getPort();
         host = "Host: 127.0.0.1:" + port;
     }
 
+    private static RunServer ofAll() throws IOException, PortInUse {
+        if (unchanged.isEmpty()) {
+            unchanged = Optional.of(Errand.serve(page, 0));
+        }
+        return unchanged.orElseThrow();
+    }
+
     @AfterEach
     void stop() {
-        server.close();
+        if (!isUnchanged) {
+            server.close();
+        }
+    }
+
+    @AfterAll
+    static void stopThatOfAll() {
+        unchanged.ifPresent(RunServer::close);
+        unchanged = Optional.empty();
     }
 
     private Response get(String path) throws IOException {
@@ -238,6 +267,7 @@ class RunServerTest {
     }
 
     @Nested
+    @Tag(UNCHANGED)
     class Doors {
         @ParameterizedTest
         @ValueSource(strings = {"127.0.0.1:%d", "localhost:%d", "[::1]:%d"})
@@ -632,15 +662,15 @@ class RunServerTest {
             assertThat(server.run().plan().seed()).isEqualTo(9_007_199_254_740_993L);
         }
 
-        @ParameterizedTest
-        @ValueSource(
-                strings = {
+        @Trials(
+                value = {
                     "readings?robot=courier-2",
                     "numbers?robot=courier-2",
                     "abilities?robot=courier-2",
                     "costs?robot=courier-2",
-                    "agent?name=nav-2",
-                })
+                    "agent?name=nav-2"
+                },
+                landing = 2)
         void tellsNothingToWhoeverAsksAboutTheRunBefore(String question) throws IOException {
             post("restart", "{\"configuration\":\"pair\"}");
             assertThat(get("/api/" + question + "&run=2").status()).isIn(200, 204); // no costs where nobody drives
@@ -806,6 +836,7 @@ class RunServerTest {
                     "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[",
                     "{\"robot\":\"courier-1\",\"x\":1e7,\"y\":1,\"heading\":0}"
                 })
+        @Tag(UNCHANGED)
         void isRefusedWithASentence(String body) throws IOException {
             Response response = post("place", body);
             assertThat(response.status()).isEqualTo(400);

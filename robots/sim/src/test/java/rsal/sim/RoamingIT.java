@@ -10,8 +10,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Function;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import rsal.behavior.Pilot;
 import rsal.behavior.PilotDriver;
 import rsal.behavior.PioneerStack;
@@ -27,6 +25,7 @@ import rsal.robot.RobotModel;
 import rsal.settings.Arguments;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
+import rsal.testkit.Trials;
 
 /// Pioneers of all kinds follow the walls of the office for ten minutes, through doors, around furniture and pillars,
 /// into rooms and out of them; or they wander about.
@@ -36,27 +35,29 @@ class RoamingIT {
     private static final Duration STEP = Duration.ofMillis(100);
     private static final int STEPS = 6000;
 
-    @ParameterizedTest(name = "{0} with {1} and {2}, seed {3}")
-    @CsvSource({
-        "pioneer2dx, urg04lx, front8, 1",
-        "pioneer2dx, urg04lx, front8, 2",
-        "pioneer2dx, none, front8, 1",
-        "pioneer2dx, none, front8rear8dx, 2",
-        "pioneer3at, utm30lx, front8rear8, 1",
-        "pioneer3at, utm30lx, none, 2",
-    })
+    @Trials(
+            value = {
+                "pioneer2dx, urg04lx, front8, 1",
+                "pioneer2dx, none, front8, 1",
+                "pioneer2dx, none, front8rear8dx, 2",
+                "pioneer3at, utm30lx, front8rear8, 1",
+                "pioneer3at, utm30lx, none, 2",
+                "pioneer2dx, urg04lx, front8, 2",
+            },
+            landing = 2)
     void followsTheWallForTenMinutesAndTouchesNothing(String model, String laser, String sonar, long seed) {
         Walk walk = tenMinutes(model(model, laser, sonar), PioneerStack::followLeftWall, seed, 120);
         assertThat(walk.following).as("steps beside a wall").isGreaterThan(STEPS * 3 / 4);
     }
 
-    @ParameterizedTest(name = "{0} with {1} and {2}, seed {3}")
-    @CsvSource({
-        "pioneer2dx, urg04lx, front8, 1",
-        "pioneer2dx, urg04lx, none, 2",
-        "pioneer2dx, none, front8, 3",
-        "pioneer3at, utm30lx, front8rear8, 4",
-    })
+    @Trials(
+            value = {
+                "pioneer2dx, urg04lx, front8, 1",
+                "pioneer2dx, none, front8, 3",
+                "pioneer2dx, urg04lx, none, 2",
+                "pioneer3at, utm30lx, front8rear8, 4",
+            },
+            landing = 2)
     void wandersForTenMinutesAndTouchesNothing(String model, String laser, String sonar, long seed) {
         tenMinutes(model(model, laser, sonar), PioneerStack::wander, seed, 100);
     }

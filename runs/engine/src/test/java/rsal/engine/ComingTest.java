@@ -223,7 +223,7 @@ class ComingTest {
                         "{type: quitter, robot: prey, parameters: {caughtAfter: $caughtAfter, by: hunter-1, distance: 30}}",
                         "{type: chatter, robot: prey}")
                 .replace("time >= 20", "time >= 90");
-        run = LiveRun.start(Runs.plan(folder, navigating, RunOptions.NONE.withSpeed(20)));
+        run = LiveRun.start(Runs.plan(folder, navigating, RunOptions.NONE.withSpeed(60)));
         await(now -> now.agents().size() == 2);
         assertThat(answer(run.operator().goTo("prey", THERE))).isEqualTo(new Answer.Sent(1));
         Runs.result(run);

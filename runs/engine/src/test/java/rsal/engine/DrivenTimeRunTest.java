@@ -16,6 +16,7 @@ import rsal.engine.report.Answer;
 import rsal.engine.report.RunBroken;
 import rsal.engine.report.RunResult;
 import rsal.scenario.RunOptions;
+import rsal.testkit.LongTest;
 import rsal.testkit.example.Metronome;
 
 /// A run that follows the time of another simulator, which the test is.
@@ -80,6 +81,7 @@ class DrivenTimeRunTest {
     }
 
     @Test
+    @LongTest
     void itsEndIsInTheSimulatorsTime() throws Exception {
         long began = System.nanoTime();
         Metronome.beat(now);

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rsal.engine.report.RunResult;
+import rsal.engine.report.Snapshot;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
 
@@ -123,20 +124,15 @@ class LateRobotTest {
     }
 
     @Test
-    void itStandsStillWhileAnEmergencyStopHolds() throws InterruptedException {
+    void itStandsStillWhileAnEmergencyStopHolds() {
         String slow = SCENARIO.replace("speed: max", "speed: 1");
         try (LiveRun run = LiveRun.start(plan(slow))) {
             run.operator().rearm().toCompletableFuture().join();
             run.operator().estop().toCompletableFuture().join();
-            var there = new CountDownLatch(1);
-            try (var _ = run.onSnapshot(() -> {
-                if (run.snapshot().robots().size() == 2) {
-                    there.countDown();
-                }
-            })) {
-                there.await();
-            }
-            assertThat(run.snapshot().robots()).allMatch(robot -> robot.stopped());
+            Snapshot there = run.when(now -> now.robots().size() == 2)
+                    .toCompletableFuture()
+                    .join();
+            assertThat(there.robots()).allMatch(robot -> robot.stopped());
         }
     }
 }

@@ -34,6 +34,7 @@ import rsal.engine.report.RunResult;
 import rsal.engine.report.Snapshot;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
+import rsal.testkit.LongTest;
 import rsal.time.Phase;
 
 @Timeout(60)
@@ -325,6 +326,7 @@ class LiveRunTest {
     }
 
     @Test
+    @LongTest
     void oneRobotIsStoppedOrArmedWhileTheOthersGoOn() throws InterruptedException {
         try (var run = LiveRun.start(withRoom())) {
             var snapshots = snapshots(run);

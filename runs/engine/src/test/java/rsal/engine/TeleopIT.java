@@ -14,11 +14,13 @@ import rsal.engine.report.RunResult;
 import rsal.engine.report.SentGoal;
 import rsal.scenario.RunOptions;
 import rsal.scenario.Scenario;
+import rsal.testkit.LongTest;
 import rsal.testkit.Trials;
 
 @Timeout(120)
 class TeleopIT {
     @Test
+    @LongTest
     void robotsGoWherePeopleSendThem() throws InterruptedException {
         var options = RunOptions.NONE.withConfiguration("three").withSpeed(Double.POSITIVE_INFINITY);
         try (var run = LiveRun.start(Scenario.load("teleop").plan(options))) {

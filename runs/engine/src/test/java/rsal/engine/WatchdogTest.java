@@ -127,6 +127,11 @@ class WatchdogTest {
                 public boolean isDebugged() {
                     return isDebugged.get();
                 }
+
+                @Override
+                public void kill() {
+                    isDebugged.set(false);
+                }
             });
             IntStream.range(0, 2 * PATIENCE).forEach(_ -> found.add(watchdog.look()));
             isDebugged.set(false);

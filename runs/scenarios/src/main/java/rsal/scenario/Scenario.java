@@ -29,6 +29,9 @@ import rsal.yaml.Yaml;
 
 /// A scenario as its author wrote it, checked in itself, arguments still open. Immutable.
 public final class Scenario {
+    /// Of all scenarios of this process, as many have the same map.
+    private static final Installation INSTALLATION = new Installation();
+
     private static final List<String> BUILT_IN = List.of(
             "distribution", "find-and-collect", "foraging", "hunt-and-prey", "patrol", "rescue", "swarm", "teleop");
     static final String FILE = "scenario.yaml";
@@ -41,7 +44,6 @@ public final class Scenario {
     private final String description;
     private final List<Parameter<?>> arguments;
     private final List<Configuration> configurations;
-    private final Installation installation = new Installation();
 
     private Scenario(Value.Mapping settings, FileSource files, Optional<String> text, Problems problems) {
         this.settings = settings;
@@ -362,7 +364,7 @@ public final class Scenario {
     }
 
     private RunPlan planned(RunOptions options) {
-        return new PlanReader(this, options, installation).read();
+        return new PlanReader(this, options, INSTALLATION).read();
     }
 
     /// Plans every configuration.

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -113,9 +114,14 @@ class EditedScenarioTest {
         assertThatThrownBy(() -> Scenario.edited("patroll", OWN)).hasMessageContaining("patrol");
     }
 
+    static List<String> someOfThem() {
+        List<String> all = Scenario.builtInNames();
+        return all.subList(0, Rounds.of(3, all.size()));
+    }
+
     /// Whatever a person has half written: it can be read, or is refused with its errors.
     @ParameterizedTest
-    @MethodSource("rsal.scenario.Scenario#builtInNames")
+    @MethodSource("someOfThem")
     void survivesAnyEdit(String name) {
         String whole = Scenario.written(name);
         for (int seed = 0; seed < Rounds.of(3, 12); seed++) {

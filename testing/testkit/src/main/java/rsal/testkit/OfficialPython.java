@@ -66,7 +66,8 @@ public final class OfficialPython {
                 return;
             }
             ended(List.of("python3", "-m", "venv", HOME.toString()));
-            var install = new ArrayList<>(List.of(python().toString(), "-m", "pip", "install", "--quiet"));
+            var install =
+                    new ArrayList<>(List.of(python().toString(), "-m", "pip", "install", "--quiet", "--no-compile"));
             install.addAll(PACKAGES);
             ended(install);
             Files.createFile(done);

@@ -22,6 +22,7 @@ import rsal.cli.Ended;
 import rsal.cli.Main;
 import rsal.cli.RoomLog;
 import rsal.cli.terminal.Exit;
+import rsal.testkit.LongTest;
 
 class LocalizerTuningTest {
     @TempDir
@@ -53,6 +54,7 @@ class LocalizerTuningTest {
     }
 
     @Test
+    @LongTest
     void parametersHaveTheirUsualValuesUnlessTheyAreSet() throws IOException {
         Ended usual = localize();
         assertThat(usual.code()).isEqualTo(Exit.SUCCESS);

@@ -12,11 +12,10 @@ import java.util.Locale;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import rsal.cli.Main;
 import rsal.cli.RoomLog;
 import rsal.cli.terminal.Exit;
+import rsal.testkit.Trials;
 
 /// What commands that follow logs say of odd ones.
 class LogOptionsTest {
@@ -39,8 +38,7 @@ class LogOptionsTest {
         return err.toString();
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"map", "localize"})
+    @Trials({"map", "localize"})
     void tellsThatHeadingsAreDegrees(String command) throws IOException {
         String degrees = HEADINGS.matcher(RoomLog.whole()).replaceAll(LogOptionsTest::inDegrees);
         assertThat(reported(command, degrees).lines().filter(line -> line.contains("probably degrees")))
@@ -58,8 +56,7 @@ class LogOptionsTest {
                 line.group(4));
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"map", "localize"})
+    @Trials({"map", "localize"})
     void tellsThatAllScansHaveOneTime(String command) throws IOException {
         String oneTime = RoomLog.whole().replaceAll("(?m) \\S+ h \\S+$", " 12.5 h 12.5");
         assertThat(reported(command, oneTime).lines().filter(line -> line.contains("one time")))
@@ -67,8 +64,7 @@ class LogOptionsTest {
                 .satisfies(line -> assertThat(line).contains("All 41 scans", "room.log", "12.500 s"));
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"map", "localize"})
+    @Trials({"map", "localize"})
     void saysNothingOfAnOrdinaryLog(String command) throws IOException {
         assertThat(reported(command, RoomLog.whole())).doesNotContain("degrees", "one time");
     }

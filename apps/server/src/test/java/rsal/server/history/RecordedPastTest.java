@@ -18,8 +18,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import rsal.agent.bdi.Mind;
 import rsal.engine.LiveRun;
 import rsal.engine.report.RunEvent;
@@ -44,6 +42,7 @@ import rsal.server.live.PlaybackCursor;
 import rsal.server.message.Json;
 import rsal.server.message.Messages.LookBack;
 import rsal.server.message.Messages.ServerMessage;
+import rsal.testkit.Trials;
 
 public class RecordedPastTest {
     private static final int ROBOTS_AT = 32; // in a frame; what is before depends on the viewer, but for the time
@@ -51,8 +50,7 @@ public class RecordedPastTest {
     @TempDir
     Path folder;
 
-    @ParameterizedTest
-    @ValueSource(strings = {"hunt-and-prey", "distribution"})
+    @Trials({"distribution", "hunt-and-prey"})
     void showsWhatALiveFeedShowed(String scenario) throws Exception {
         Path file = folder.resolve("run.mcap");
         List<Snapshot> seen = record(plan(scenario, 15), file);

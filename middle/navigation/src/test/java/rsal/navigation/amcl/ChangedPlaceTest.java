@@ -13,6 +13,7 @@ import rsal.data.Pose2d;
 import rsal.data.PoseEstimate;
 import rsal.data.PoseEstimate.Quality;
 import rsal.testkit.DrawnMap;
+import rsal.testkit.LongTest;
 import rsal.testkit.Trials;
 
 /// A robot that is told where it starts, in places that differ from their maps or with wheels that are wrong: it stays
@@ -99,7 +100,7 @@ class ChangedPlaceTest {
     /// The map has three cupboards; they were moved to where those of the mirror twin would be.
     @Trials(
             value = {"1", "2", "3", "4"},
-            landing = 2)
+            landing = 1)
     void furnitureThatWasMovedIsNoReasonToJumpToTheTwin(long seed) {
         OccupancyGrid bare = MIRRORED.grid();
         OccupancyGrid map =
@@ -115,6 +116,7 @@ class ChangedPlaceTest {
 
     /// A side wall of 10 m is 0.35 m farther in than it was drawn, over 3 m of its length.
     @Test
+    @LongTest
     void aWallDrawnWrongIsNoReasonToBeLost() {
         OccupancyGrid map = Seen.ROOM.grid();
         OccupancyGrid world = furnished(map, 0, 0, 3, 0.6);
@@ -159,6 +161,7 @@ class ChangedPlaceTest {
     }
 
     @Test
+    @LongTest
     void odometryThatJumpsIsNotBelieved() {
         OccupancyGrid map = Seen.ROOM.grid();
         int[] step = {0};

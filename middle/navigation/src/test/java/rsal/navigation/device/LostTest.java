@@ -19,6 +19,7 @@ import rsal.device.Navigator.Result;
 import rsal.robot.DeviceDriver;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
+import rsal.testkit.LongTest;
 import rsal.testkit.contract.RobotBench;
 import rsal.testkit.fake.FakeLocalizer;
 import rsal.testkit.fake.FakeSystem;
@@ -54,6 +55,7 @@ class LostTest {
 
     /// It may stand elsewhere: what it measures fits there too.
     @Test
+    @LongTest
     void saysThatItIsNotSureWhereItIsWhenItGetsThere() {
         Robot robot = robot(Map.of());
         Localizer localizer = robot.require(Localizer.class);
@@ -68,6 +70,7 @@ class LostTest {
 
     /// It believed to be nearly there, so that all the way that it has to drive in truth is no progress.
     @Test
+    @LongTest
     void hasAllItsPatienceWhenItFindsItselfFartherAway() {
         Robot robot = robot(Map.of("timeout", 5.0));
         Localizer localizer = robot.require(Localizer.class);
@@ -87,6 +90,7 @@ class LostTest {
 
     /// It is always sent back to where it began.
     @Test
+    @LongTest
     void givesUpAtLastWhenItFindsItselfAgainAndAgain() {
         Robot robot = robot(Map.of("timeout", 5.0));
         Localizer localizer = robot.require(Localizer.class);

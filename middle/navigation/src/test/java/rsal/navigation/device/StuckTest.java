@@ -29,6 +29,7 @@ import rsal.model.RobotModels;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.testkit.DrawnMap;
+import rsal.testkit.Trials;
 
 /// A robot before something across its way that the map does not know. Behind it is a pillar, which its laser does
 /// not see.
@@ -128,8 +129,9 @@ class StuckTest {
             ######################""");
 
     /// It is held up before a board, and somebody comes up from behind, where its laser doesn't look.
-    @ParameterizedTest
-    @ValueSource(strings = {"vfh", "nd", "snd", "dwa", "mpc"})
+    @Trials(
+            value = {"vfh", "nd", "snd", "dwa", "mpc"},
+            landing = 2)
     void drivesBackIntoNobodyWhomItDidNotSeeCome(String planner) {
         Pose2d start = HALL.pose('r', 0);
         NavigationRun run = alone(HALL, planner);
@@ -256,8 +258,9 @@ class StuckTest {
         assertThat(run.simulation.contacts()).hasSizeLessThanOrEqualTo(3);
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"vfh", "nd", "snd", "dwa", "mpc"})
+    @Trials(
+            value = {"vfh", "nd", "snd", "dwa", "mpc"},
+            landing = 2)
     void saysWhatKeptItAndTouchesNothing(String planner) {
         NavigationRun run = alone(CORRIDOR, planner);
         var board = Prism.standing(

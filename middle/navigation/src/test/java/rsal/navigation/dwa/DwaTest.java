@@ -6,8 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import rsal.data.Angles;
 import rsal.data.Footprint;
 import rsal.data.Point2d;
@@ -20,6 +18,7 @@ import rsal.navigation.avoid.ControllerContract;
 import rsal.navigation.avoid.DriveLimits;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.avoid.VelocityFilter;
+import rsal.testkit.Trials;
 
 class DwaTest extends ControllerContract {
     @Override
@@ -27,8 +26,7 @@ class DwaTest extends ControllerContract {
         return new Dwa(footprint, LIMITS, Dwa.Settings.of(0.25, 3), reaction);
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4})
+    @Trials({"1", "2", "3", "4"})
     void tellsAWayThatIsFree(long seed) {
         assertTellsFreeWays(seed, 0);
     }

@@ -15,6 +15,7 @@ import rsal.data.Point2d;
 import rsal.navigation.grid.DistanceField;
 import rsal.navigation.grid.RandomMaps;
 import rsal.navigation.wavefront.CostMap;
+import rsal.testkit.Trials;
 
 class PassagesTest {
     /// A corridor of 1.2 m with a corner between two rooms.
@@ -155,8 +156,9 @@ class PassagesTest {
                 .isEmpty();
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    @Trials(
+            value = {"1", "2", "3", "4", "5", "6"},
+            landing = 2)
     void theFloodIsAsDeepAsASlowOne(long seed) {
         var random = new SplittableRandom(seed);
         OccupancyGrid map = RandomMaps.of(random, 40, 30, 0.3 * random.nextDouble());
@@ -209,8 +211,9 @@ class PassagesTest {
         return distances;
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    @Trials(
+            value = {"1", "2", "3", "4", "5", "6", "7", "8"},
+            landing = 2)
     void waitingPlacesOfRandomMapsLeaveTheGateOpen(long seed) {
         OccupancyGrid map = rooms(new SplittableRandom(seed));
         CostMap open = DrawnMaps.open(map);

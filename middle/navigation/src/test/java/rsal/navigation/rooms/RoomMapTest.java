@@ -17,6 +17,7 @@ import rsal.navigation.grid.RandomMaps;
 import rsal.settings.FileSource;
 import rsal.settings.Location;
 import rsal.testkit.DrawnMap;
+import rsal.testkit.Trials;
 
 class RoomMapTest {
     private static OccupancyGrid shipped(String name) {
@@ -150,8 +151,9 @@ class RoomMapTest {
                 .containsExactly(RegionKind.ROOM, RegionKind.CLOSET);
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
+    @Trials(
+            value = {"1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12"},
+            landing = 4)
     void findsTheRoomsOfRandomOffices(long seed) {
         RandomFloor plan = RandomFloor.office(new SplittableRandom(seed));
         RandomFloor.Painted painted = plan.paint(0.05, 0);
@@ -161,8 +163,7 @@ class RoomMapTest {
         assertThat(correlation(painted)).as("seed %d", seed).isGreaterThan(0.98);
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4})
+    @Trials({"1", "2", "3", "4"})
     void moreResolutionDoesNotChangeTheirNumber(long seed) {
         RandomFloor plan = RandomFloor.office(new SplittableRandom(seed));
         for (double resolution : new double[] {0.1, 0.05, 0.025}) {
@@ -228,8 +229,12 @@ class RoomMapTest {
         assertThat(RoomMap.of(shipped("four-rooms")).regions()).hasSize(4);
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20})
+    @Trials(
+            value = {
+                "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12", "13", "14", "15", "16", "17", "18", "19",
+                "20"
+            },
+            landing = 5)
     void eachFreeCellIsInOneConnectedRegionAndGatesLieBetweenTwo(long seed) {
         var random = new SplittableRandom(seed);
         OccupancyGrid noise =

@@ -118,7 +118,7 @@ class PlayerMapTest extends ScriptedBench {
 
     @Trials(
             value = {"1, 1, 1", "3, 2, 1", "1259, 312, 1", "4000, 4001, 3", "9000000, 2, 4"},
-            landing = 4)
+            landing = 3)
     void theWholeMapIsPutTogetherOfTiles(int width, int height, int tiles) throws IOException {
         begin();
         byte[] cells = random(width * height);

@@ -30,6 +30,7 @@ import rsal.navigation.log.LogFormats;
 import rsal.navigation.log.RobotLog;
 import rsal.testkit.OfficialPython;
 import rsal.testkit.Rounds;
+import rsal.testkit.Trials;
 
 /// Bags that rosbags has written, which is none of ours.
 class BagFormatIT {
@@ -87,19 +88,19 @@ class BagFormatIT {
     }
 
     /// Also those that recorders of Humble and Lyrical have as tables, with an image of 3 MB that nobody asks for.
-    @ParameterizedTest
-    @ValueSource(
-            strings = {
+    @Trials(
+            value = {
                 "mcap/lz4",
                 "mcap/file",
-                "mcap/message",
                 "sqlite3/",
                 "sqlite3/file",
+                "mcap/message",
                 "sqlite3/message",
                 "sqlite3/humble",
                 "sqlite3/lyrical",
                 "sqlite3/utf16"
-            })
+            },
+            landing = 4)
     void storageAndCompressionMakeNoDifference(String storage) throws Exception {
         RobotLog plain = LogFormats.read(bag("odom"), LaserHints.DEFAULT);
         Path other = Files.createDirectory(folder.resolve("other")).resolve("odom");
@@ -230,8 +231,9 @@ class BagFormatIT {
         damage(Files.readAllBytes(only(bag("odom"))), "damaged.mcap");
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"mcap/file", "sqlite3/file", "sqlite3/", "sqlite3/message", "mcap/lz4"})
+    @Trials(
+            value = {"mcap/file", "sqlite3/file", "sqlite3/", "sqlite3/message", "mcap/lz4"},
+            landing = 3)
     void damagedBagsOfOtherStoragesBreakNothing(String storage) throws Exception {
         Path file = only(bag("odom", storage));
         damage(

@@ -14,6 +14,7 @@ import rsal.ros2.rosbridge.RosbridgeOptions.Encoding;
 import rsal.ros2.rosbridge.RosbridgeTransport;
 import rsal.sim.SimProvider;
 import rsal.system.RobotSystemProvider;
+import rsal.testkit.LongTest;
 import rsal.testkit.contract.BatteryContract;
 import rsal.testkit.contract.BlobFinderContract;
 import rsal.testkit.contract.CameraContract;
@@ -65,6 +66,7 @@ class RosbridgeContractTest {
     }
 
     @Nested
+    @LongTest
     class Omnidirectional extends OmnidirectionalDriveContract {
         @Override
         protected RobotSystemProvider provider() {
@@ -81,6 +83,7 @@ class RosbridgeContractTest {
     }
 
     @Nested
+    @LongTest
     class Sonar extends SonarArrayContract {
         @Override
         protected RobotSystemProvider provider() {
@@ -89,6 +92,7 @@ class RosbridgeContractTest {
     }
 
     @Nested
+    @LongTest
     class Battery extends BatteryContract {
         @Override
         protected RobotSystemProvider provider() {
@@ -97,6 +101,7 @@ class RosbridgeContractTest {
     }
 
     @Nested
+    @LongTest
     class OwnLocalizer extends LocalizerContract {
         @Override
         protected RobotSystemProvider provider() {
@@ -110,6 +115,7 @@ class RosbridgeContractTest {
     }
 
     @Nested
+    @LongTest
     class OwnMap extends OwnMapContract {
         @Override
         protected RobotSystemProvider provider() {
@@ -118,6 +124,7 @@ class RosbridgeContractTest {
     }
 
     @Nested
+    @LongTest
     class OwnNavigator extends NavigatorContract {
         @Override
         protected RobotSystemProvider provider() {
@@ -131,6 +138,7 @@ class RosbridgeContractTest {
     }
 
     @Nested
+    @LongTest
     class OwnPlanner extends PlannerContract {
         @Override
         protected RobotSystemProvider provider() {
@@ -144,6 +152,7 @@ class RosbridgeContractTest {
     }
 
     @Nested
+    @LongTest
     class Inertial extends ImuContract {
         @Override
         protected RobotSystemProvider provider() {
@@ -152,6 +161,7 @@ class RosbridgeContractTest {
     }
 
     @Nested
+    @LongTest
     class ImageCamera extends CameraContract {
         @Override
         protected RobotSystemProvider provider() {
@@ -160,6 +170,7 @@ class RosbridgeContractTest {
     }
 
     @Nested
+    @LongTest
     class ClosingGripper extends GripperContract {
         @Override
         protected RobotSystemProvider provider() {
@@ -168,6 +179,7 @@ class RosbridgeContractTest {
     }
 
     @Nested
+    @LongTest
     class Blobs extends BlobFinderContract {
         @Override
         protected RobotSystemProvider provider() {
@@ -185,6 +197,7 @@ class RosbridgeContractTest {
     }
 
     @Nested
+    @LongTest
     class LaserOfRos1 extends LaserScannerContract {
         @Override
         protected RobotSystemProvider provider() {

@@ -17,6 +17,7 @@ import rsal.data.Rgb;
 import rsal.robot.Shift;
 import rsal.scene.SolidRaster;
 import rsal.scene.Surface;
+import rsal.testkit.LongTest;
 
 class CameraRaysTest {
     private static final Footprint BOX = RandomWorld.box(0.5, 0.4, 0, 0);
@@ -162,6 +163,7 @@ class CameraRaysTest {
 
     /// Of a pinhole, whatever it is, with its depth.
     @Test
+    @LongTest
     void everyPixelOfAPinholeIsPaintedWithWhatItsRayMeetsFirst() {
         int shown = 0;
         int unsure = 0;

@@ -17,6 +17,7 @@ import rsal.data.Twist2d;
 import rsal.navigation.avoid.Controller;
 import rsal.navigation.avoid.Obstacles;
 import rsal.navigation.mpc.Mpc;
+import rsal.testkit.LongTest;
 
 class BarnRunTest {
     /// A wall across the way with an opening on the right.
@@ -31,6 +32,7 @@ class BarnRunTest {
     }
 
     @Test
+    @LongTest
     void whoLooksAheadGetsThroughTheSameWayEachTime() {
         Outcome outcome = new BarnRun(WALL, mpc(), 1).run();
         assertThat(outcome.reached()).isTrue();

@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rsal.bench.measurement.Bench;
 import rsal.bench.measurement.BenchmarkRequest;
 import rsal.bench.measurement.Result;
+import rsal.testkit.Rounds;
 
 /// Small forms of the benchmarks, over real sockets. How long anything takes is not looked at.
 class RtpsBenchTest {
@@ -22,11 +23,12 @@ class RtpsBenchTest {
 
     static Stream<Bench> benches() {
         return Stream.of(
-                LOSS,
-                new MapBench(100),
-                new DiscoveryBench(3, Duration.ofSeconds(1)),
-                new TripBench(50, 20),
-                new JoinBench(4, 1));
+                        LOSS,
+                        new MapBench(100),
+                        new TripBench(50, 20),
+                        new DiscoveryBench(3, Duration.ofSeconds(1)),
+                        new JoinBench(4, 1))
+                .limit(Rounds.of(3, 5));
     }
 
     private static List<Result> measure(Bench bench) {

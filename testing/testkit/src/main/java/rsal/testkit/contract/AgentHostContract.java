@@ -552,6 +552,7 @@ public abstract class AgentHostContract extends ContractNetContract {
 
     @Test
     void whoPaysMostGetsIt() {
+        assumeThatWaitingIsShort();
         try (var run = run()) {
             bidders(run, AgentHostContract::english);
             run.untilAllHaveBegun();
@@ -569,6 +570,7 @@ public abstract class AgentHostContract extends ContractNetContract {
 
     @Test
     void aDutchAuctionEndsWithTheFirstWhoWantsIt() {
+        assumeThatWaitingIsShort();
         try (var run = run()) {
             bidders(run, AgentHostContract::dutch);
             run.untilAllHaveBegun();

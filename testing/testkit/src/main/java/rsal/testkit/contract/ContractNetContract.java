@@ -1,6 +1,7 @@
 package rsal.testkit.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -29,6 +30,7 @@ import rsal.agent.protocol.ContractNet.Verdict;
 import rsal.agent.protocol.Conversation;
 import rsal.agent.protocol.ConversationResult;
 import rsal.agent.protocol.RetryPolicy;
+import rsal.testkit.LongTest;
 
 /// How contract nets end, well and otherwise, the same on every host: what an agent does next is set off by what it has
 /// heard, not by a time, so that no thread can come too early.
@@ -59,6 +61,13 @@ public abstract class ContractNetContract {
 
     final HostRun run() {
         return new HostRun(provider(), settings());
+    }
+
+    /// For tests in which seconds pass: where the host lives on real time, only `./rsal test --all` waits for them.
+    final void assumeThatWaitingIsShort() {
+        assumeTrue(
+                provider().followsSchedulerTime() || Boolean.getBoolean(LongTest.PROPERTY),
+                "waits in real time: runs by ./rsal test --all");
     }
 
     final boolean isLogged(int lines) {
@@ -92,6 +101,7 @@ public abstract class ContractNetContract {
 
     @Test
     void whoDoesNotAnswerInTimeComesTooLate() {
+        assumeThatWaitingIsShort();
         try (var run = run()) {
             worker(run, "amy", bids(3), (_, contract) -> contract.inform("dug"));
             worker(
@@ -188,6 +198,7 @@ public abstract class ContractNetContract {
 
     @Test
     void whoIsNotHeardAnyMoreIsGivenUp() {
+        assumeThatWaitingIsShort();
         try (var run = run()) {
             worker(run, "amy", bids(3), (_, _) -> {});
             run.untilAllHaveBegun();

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import rsal.data.OccupancyGrid;
 import rsal.data.Point2d;
 import rsal.data.Walls;
+import rsal.testkit.LongTest;
 
 class FloorGraphTest {
     private static final double CLEARANCE = 0.3;
@@ -18,6 +19,7 @@ class FloorGraphTest {
     }
 
     @Test
+    @LongTest
     void pathsAreAbout10PercentLongerThanInTheGrid() {
         FloorGraph floor = floor(Maps.ROOMS);
         double paths = 0;
