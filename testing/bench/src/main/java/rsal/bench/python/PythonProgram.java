@@ -64,7 +64,7 @@ record PythonProgram(List<String> wanted, int repeats, int episodes) {
             process.destroyForcibly();
             throw new MeasurementFailed("Python ended before it was told what to measure: " + e.getMessage());
         }
-        CompletableFuture<String> mistakes = CompletableFuture.supplyAsync(
+        CompletableFuture<String> errors = CompletableFuture.supplyAsync(
                 () -> process.errorReader().lines().collect(Collectors.joining("\n")),
                 task -> Thread.ofPlatform().daemon().start(task));
         try (BufferedReader lines = process.inputReader()) {
@@ -74,7 +74,7 @@ record PythonProgram(List<String> wanted, int repeats, int episodes) {
                 line = lines.readLine();
             }
             if (process.waitFor() != 0) {
-                throw new MeasurementFailed("Python failed: " + mistakes.join());
+                throw new MeasurementFailed("Python failed: " + errors.join());
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
