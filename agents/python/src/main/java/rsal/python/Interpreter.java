@@ -43,7 +43,8 @@ final class Interpreter {
                 "-X",
                 "utf8",
                 "-c",
-                "import signal, sys; signal.signal(signal.SIGINT, signal.SIG_IGN); sys.path[0] = sys.argv[1]; from rsal.agents.%s import main; main()".formatted(module),
+                "import signal, sys; signal.signal(signal.SIGINT, signal.SIG_IGN); sys.path[0] = sys.argv[1];"
+                        + " from rsal.agents.%s import main; main()".formatted(module),
                 home());
         builder.environment().put("PYTHONHASHSEED", "0"); // else sets of texts have another order in each process
         builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
