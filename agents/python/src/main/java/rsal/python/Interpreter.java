@@ -31,7 +31,8 @@ final class Interpreter {
                         + " (pip install numpy); RSAL_PYTHON=/path/to/python3 names one that is elsewhere.");
     }
 
-    /// Starts it with a module of RSAL's own, which talks by frames.
+    /// Starts it with a module of RSAL's own, which talks by frames. Ctrl-C on the terminal is for RSAL, from the first
+    /// moment on.
     ///
     /// @param module of `rsal.agents`
     /// @throws IOException when it can't be started
@@ -42,7 +43,8 @@ final class Interpreter {
                 "-X",
                 "utf8",
                 "-c",
-                "import sys; sys.path[0] = sys.argv[1]; from rsal.agents.%s import main; main()".formatted(module),
+                "import signal, sys; signal.signal(signal.SIGINT, signal.SIG_IGN); sys.path[0] = sys.argv[1];"
+                        + " from rsal.agents.%s import main; main()".formatted(module),
                 home());
         builder.environment().put("PYTHONHASHSEED", "0"); // else sets of texts have another order in each process
         builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");

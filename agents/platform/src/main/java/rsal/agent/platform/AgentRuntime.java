@@ -145,7 +145,7 @@ final class AgentRuntime implements AgentContext {
             return;
         }
         lastWords = words;
-        words.whenComplete((_, _) -> hostLane.execute(this::leave));
+        var _ = words.whenComplete((_, _) -> hostLane.execute(this::leave));
         hostLane.after(LAST_WORDS, this::leave);
     }
 
