@@ -29,12 +29,7 @@ final class ProcessesAhead {
 
         @Override
         public void close() {
-            synchronized (ProcessesAhead.class) {
-                PREPARED.remove(this);
-                while (READY.size() > wanted()) {
-                    READY.removeLast().close(0);
-                }
-            }
+            forget(this);
         }
     }
 
@@ -44,6 +39,13 @@ final class ProcessesAhead {
         var many = new Many(atOnce, inAll);
         PREPARED.add(many);
         return many;
+    }
+
+    private static synchronized void forget(Many many) {
+        PREPARED.remove(many);
+        while (READY.size() > wanted()) {
+            READY.removeLast().close(0);
+        }
     }
 
     /// How many processes may be ready. On the lock.

@@ -1,7 +1,6 @@
 package rsal.python;
 
 import java.util.ArrayDeque;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.HashSet;
@@ -32,6 +31,8 @@ record PythonSources(String path, String module, String className, Map<String, S
     private static final int MOST_FILES = 200;
     private static final Set<String> NOT_BESIDE = Set.of("rsal", "numpy"); // what comes with RSAL is not looked for
     private static final Pattern COMMA = Pattern.compile("\\s*,\\s*");
+    private static final Pattern BETWEEN = Pattern.compile("[,\\n]\\s*");
+    private static final Pattern DOT = Pattern.compile("\\.");
     private static final Pattern NAME = Pattern.compile("[A-Za-z_]\\w*");
     private static final Pattern TYPE = Pattern.compile(INSTALLED + "(\\w+(?:\\.\\w+)*):([A-Za-z_]\\w*)");
 
@@ -148,16 +149,18 @@ record PythonSources(String path, String module, String className, Map<String, S
                 String parent = slash < 0 ? "" : own.substring(0, slash).replace('/', '.'); // parts
                 for (Matcher found = IMPORT.matcher(text); found.find(); ) {
                     COMMA.splitAsStream(found.group(1))
-                            .map(each -> each.strip().split("\\s")[0]) // as another name
+                            .map(each -> each.strip().replaceFirst("\\s.*", "")) // as another name
                             .forEach(this::lookFor);
                 }
                 for (Matcher found = FROM.matcher(text); found.find(); ) {
                     String from = absolute(found.group(1), parent);
                     lookFor(from);
                     String names = found.group(2) == null ? found.group(3) : found.group(2);
-                    Arrays.stream(names.split("[,\\n]"))
-                            .map(name -> name.strip().split("\\s")[0])
-                            .filter(name -> NAME.matcher(name).matches())
+                    BETWEEN.splitAsStream(names)
+                            .map(String::strip)
+                            .map(NAME::matcher)
+                            .filter(Matcher::lookingAt) // without 'as other', and a comment
+                            .map(Matcher::group)
                             .forEach(name -> lookFor(from.isEmpty() ? name : from + "." + name));
                 }
             }
@@ -179,14 +182,14 @@ record PythonSources(String path, String module, String className, Map<String, S
 
         /// A module and the packages that it is in. Most are installed ones, and not here.
         private void lookFor(String module) {
-            String[] names = module.split("\\.");
-            if (NOT_BESIDE.contains(names[0])) {
+            List<String> names = DOT.splitAsStream(module).toList();
+            if (NOT_BESIDE.contains(names.getFirst())) {
                 return;
             }
             var path = new StringBuilder(folder);
-            for (int i = 0; i < names.length; i++) {
-                path.append(i == 0 ? "" : "/").append(names[i]);
-                if (!NAME.matcher(names[i]).matches() || lookFor(path, SUFFIX)) {
+            for (String name : names) {
+                path.append(path.length() == folder.length() ? "" : "/").append(name);
+                if (!NAME.matcher(name).matches() || lookFor(path, SUFFIX)) {
                     return;
                 }
                 lookFor(path, PACKAGE);

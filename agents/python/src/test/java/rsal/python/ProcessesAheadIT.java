@@ -59,7 +59,7 @@ class ProcessesAheadIT {
             assertThat(ProcessesAhead.ready()).isZero();
             for (int left : List.of(3, 2, 1, 0)) {
                 List<String> lines = run();
-                String process = lines.getFirst().split(" ")[0];
+                String process = lines.getFirst().replaceFirst(" .*", "");
                 assertThat(lines).containsExactly(process + " 1", process + " 2");
                 processes.add(process);
                 awaitReady(Math.min(left, 2));

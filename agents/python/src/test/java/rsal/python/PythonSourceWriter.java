@@ -304,7 +304,7 @@ final class PythonSourceWriter {
         var text = new StringBuilder(sentences[0].replaceFirst("[:;]$", ".")).append('\n');
         String line = "";
         String rest = sentences[1].substring(0, 1).toUpperCase(Locale.ROOT) + sentences[1].substring(1);
-        for (String word : rest.split(" ")) {
+        for (String word : List.of(rest.split(" ", -1))) {
             if (line.isEmpty() || line.length() + word.length() > 110) {
                 text.append(line.isEmpty() ? "" : line + "\n");
                 line = indent + word;

@@ -4,15 +4,29 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rsal.agent.AgentSpec;
+import rsal.agent.OutsideCode;
+import rsal.agent.platform.AgentPlatform;
+import rsal.agent.platform.AgentTurns;
+import rsal.agent.platform.PlainHost;
 import rsal.engine.report.RunBroken;
 import rsal.scenario.RunOptions;
 import rsal.scenario.RunPlan;
+import rsal.settings.Arguments;
 import rsal.testkit.example.Endless;
+import rsal.testkit.fake.TestedType;
+import rsal.time.LockstepScheduler;
 
 @Timeout(120)
 class WatchdogTest {
@@ -70,6 +84,40 @@ class WatchdogTest {
         } finally {
             Endless.ELSEWHERE.set(() -> {});
         }
+    }
+
+    @Test
+    void oneWhoseCodeIsDebuggedHasAllTheTimeThatThatNeeds() {
+        var turns = new AgentTurns();
+        var watchdog = new Watchdog(turns, PATIENCE);
+        var run = new LockstepScheduler();
+        var platform = new AgentPlatform(run, new PlainHost(run), Optional.empty(), turns);
+        var isDebugged = new AtomicBoolean(true);
+        var found = new ArrayList<Optional<String>>();
+        var agent = new TestedType(self -> {
+            self.outside(new OutsideCode() {
+                @Override
+                public Optional<String> place() {
+                    return Optional.empty();
+                }
+
+                @Override
+                public boolean isDebugged() {
+                    return isDebugged.get();
+                }
+
+                @Override
+                public void kill() {}
+            });
+            IntStream.range(0, 2 * PATIENCE).forEach(_ -> found.add(watchdog.look()));
+            isDebugged.set(false);
+            IntStream.rangeClosed(0, PATIENCE).forEach(_ -> found.add(watchdog.look()));
+        });
+        platform.start(new AgentSpec("amy", "tested", agent, Arguments.defaults(List.of()), Optional.empty(), 1));
+        run.advance(Duration.ofSeconds(1));
+        platform.close();
+        assertThat(found).hasSize(3 * PATIENCE + 1).endsWith(Optional.of("amy"));
+        assertThat(found.subList(0, 3 * PATIENCE)).containsOnly(Optional.empty());
     }
 
     @Test
