@@ -149,7 +149,7 @@ record PythonSources(String path, String module, String className, Map<String, S
                 String parent = slash < 0 ? "" : own.substring(0, slash).replace('/', '.'); // parts
                 for (Matcher found = IMPORT.matcher(text); found.find(); ) {
                     COMMA.splitAsStream(found.group(1))
-                            .map(each -> each.strip().split("\\s")[0]) // as another name
+                            .map(each -> each.strip().replaceFirst("\\s.*", "")) // as another name
                             .forEach(this::lookFor);
                 }
                 for (Matcher found = FROM.matcher(text); found.find(); ) {

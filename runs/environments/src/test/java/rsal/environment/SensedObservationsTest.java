@@ -47,7 +47,10 @@ class SensedObservationsTest {
     private Episode begin(Map<String, Object> act, List<Map<String, Object>> observe) throws IOException {
         Files.writeString(folder.resolve("hall.yaml"), HALL);
         Path file = Files.writeString(folder.resolve("sensed.yaml"), SCENARIO);
-        return Episode.begin(new Environments().read(file.toString(), RunOptions.NONE, "learner", observe, act, 1), 1, new SteppedWatch());
+        return Episode.begin(
+                new Environments().read(file.toString(), RunOptions.NONE, "learner", observe, act, 1),
+                1,
+                new SteppedWatch());
     }
 
     private float[] observed(Map<String, Object> observation) throws IOException {
