@@ -213,7 +213,7 @@ final class PythonProcess {
                     said.removeFirst();
                 }
             }
-            LOG.log(Level.INFO, () -> "python: " + line);
+            LOG.log(Level.WARNING, () -> "Python (stderr): " + line);
         }
     }
 

@@ -72,7 +72,7 @@ final class AgentWatch {
 
     private RunBroken broken(String agent) {
         return new RunBroken(
-                "Agent '%s' has not returned for %d s; it is at %s. Nothing in an agent may block: maybe use its scheduler, or a CompletionStage."
+                "Agent '%s' has not returned for %d s; it is at %s. An agent must return soon: maybe wait by a timer, a callback or 'await'."
                         .formatted(agent, patience, place(agent)));
     }
 

@@ -166,9 +166,7 @@ final class JunctionSearch {
             for (int side : sides) {
                 int next = cell + side;
                 if (seen[next] != floods && open.isOpen(next) && toNotFree.at(next) >= body) {
-                    long columns = next % width - centerColumn;
-                    long rows = next / width - centerRow;
-                    long squared = columns * columns + rows * rows;
+                    double squared = square(next % width - centerColumn) + square(next / width - centerRow);
                     if (squared >= far) {
                         return true;
                     }

@@ -5,9 +5,8 @@ import org.jspecify.annotations.Nullable;
 import rsal.map.KnownMaps;
 
 /// What the runs of one process have in common, one after the other or at the same time: robot systems, device
-/// drivers and the newest maps. They keep what depends on a map only, such as distances to walls and costs of cells, so
-/// that
-/// it is computed for the first run alone. No run comes out otherwise for it. Any thread may ask.
+/// drivers and the newest maps. They keep what depends on a map only, such as distances to walls and costs of cells.
+/// So it is computed for the first run alone, and no result depends on it. Any thread may ask.
 public final class Installation {
     private final KnownMaps maps = new KnownMaps();
     private final MapFacts mapFacts = new MapFacts();
