@@ -98,7 +98,12 @@ def _fields(of: type) -> list[str]:
 
 
 def _members(of: type) -> Iterator[str]:
-    for name, member in vars(of).items():
+    """Describe its own members, and those that it inherits from classes of the package."""
+    members: dict[str, object] = {}
+    for base in reversed(of.__mro__):
+        if base.__module__.startswith("rsal."):
+            members.update(vars(base))
+    for name, member in members.items():
         documented = getattr(member, "func", member)  # of a cached property
         if name.startswith("_") or not (inspect.getdoc(documented) and hasattr(documented, "__doc__")):
             continue

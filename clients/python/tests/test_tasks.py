@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import re
 import subprocess
 from collections.abc import Callable
@@ -55,6 +56,9 @@ def test_one_agent_acts_for_the_whole_team() -> None:
     each, rewards, *_ = apart.step(actions)
     np.testing.assert_array_equal(together, np.concatenate(list(each.values())))
     assert reward == pytest.approx(np.mean(list(rewards.values())))
+    copied = pickle.loads(pickle.dumps(made))  # noqa: S301 - it was made here
+    assert copied.action_space == made.action_space
+    copied.close()
     made.close()
     apart.close()
 

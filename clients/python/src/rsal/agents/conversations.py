@@ -86,6 +86,17 @@ def _result(words: dict[str, Any]) -> Result:
 
 def ask(agent: Agent, to: str, service: str, question: dict[str, Any], silence: float) -> Pending[Result]:
     """Begin a FIPA Request; see :meth:`Agent.ask`."""
+    return _begin(agent, "ask", to, service, question, silence)
+
+
+def propose(agent: Agent, to: str, service: str, proposal: dict[str, Any], silence: float) -> Pending[Result]:
+    """Begin a FIPA Propose; see :meth:`Agent.propose`."""
+    return _begin(agent, "suggest", to, service, proposal, silence)
+
+
+def _begin(  # noqa: PLR0917 - what begins a conversation
+    agent: Agent, what: str, to: str, service: str, content: dict[str, Any], silence: float
+) -> Pending[Result]:
     check_name(to)
     pending: Pending[Result] = Pending(agent._run)
     link = agent._link
@@ -95,7 +106,7 @@ def ask(agent: Agent, to: str, service: str, question: dict[str, Any], silence: 
         pending._end(_result(words))
 
     number = link.listen(heard)
-    link.do("ask", number, to, service, encode(question), float(silence))
+    link.do(what, number, to, service, encode(content), float(silence))
     return pending
 
 
@@ -193,20 +204,6 @@ def bid(
             _reply(agent, words["dialogue"], perform, Question(words["sender"], words["content"]))
 
     link.do("bid", link.listen(heard), service)
-
-
-def propose(agent: Agent, to: str, service: str, proposal: dict[str, Any], silence: float) -> Pending[Result]:
-    """Begin a FIPA Propose; see :meth:`Agent.propose`."""
-    pending: Pending[Result] = Pending(agent._run)
-    link = agent._link
-
-    def heard(words: Any, _arrays: memoryview) -> None:
-        del link.heard[number]
-        pending._end(_result(words))
-
-    number = link.listen(heard)
-    link.do("suggest", number, to, service, encode(proposal), float(silence))
-    return pending
 
 
 def judge(agent: Agent, service: str, method: Callable[[Question], object]) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import gymnasium
 import numpy as np
@@ -19,47 +19,31 @@ from rsal.env._worlds import Floats, Layout
 from rsal.launch import RsalError
 
 
-class SingleScenario(gymnasium.Env[Floats, Any]):
-    """One robot learns."""
+class OneAgent(gymnasium.Env[Floats, Any]):
+    """One agent acts for all robots that learn.
 
-    def __init__(
-        self,
-        spec: Spec,
-        *,
-        reward: Reward | str | None = None,
-        max_steps: int | None = None,
-        render_mode: str | None = None,
-    ) -> None:
-        self._made = (spec, reward, max_steps, render_mode)
+    Observations and actions are those of all robots, one robot after the other; the reward is the mean of theirs.
+    """
+
+    def __init__(self, episodes: Episodes, render_mode: str | None) -> None:
         self.metadata = {"render_modes": ["rgb_array"], "render_fps": 10.0}
         self.render_mode = render_mode
-        self._episodes = Episodes(spec, 1, 1, reward, max_steps)
-        self._pictures = Pictures(self._episodes, render_mode)
+        self._episodes = episodes
+        self._pictures = Pictures(episodes, render_mode)
         self._spaces: tuple[spaces.Space[Any], spaces.Space[Any]] | None = None
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _made, self._made
 
     @property
     def layout(self) -> Layout:
-        """What the numbers mean. It starts the process that simulates, if nothing did.
-
-        :raises RsalError: when not exactly one robot learns
-        """
+        """What the numbers of one robot mean. It starts the process that simulates, if nothing did."""
         layout = self._episodes.layout
-        if len(layout.learners) != 1:
-            self.close()
-            raise RsalError(
-                f"The role '{self._made[0].learners}' has {len(layout.learners)} robots, and Gymnasium needs one. "
-                "Use parallel_env, or an argument of the scenario for one robot."
-            )
         self.metadata["render_fps"] = 1 / layout.period
         return layout
 
     def _known_spaces(self) -> tuple[spaces.Space[Any], spaces.Space[Any]]:
         if self._spaces is None:
             layout = self.layout
-            self._spaces = observation_space(layout), action_space(layout)
+            count = len(layout.learners)
+            self._spaces = _repeated(observation_space(layout), count), _repeated(action_space(layout), count)
         return self._spaces
 
     @property
@@ -75,7 +59,8 @@ class SingleScenario(gymnasium.Env[Floats, Any]):
     @property
     def fields(self) -> tuple[str, ...]:
         """What each number of an observation is, with its unit."""
-        return self.layout.fields
+        layout = self.layout
+        return layout.fields * len(layout.learners)
 
     def reset(
         self,
@@ -86,15 +71,17 @@ class SingleScenario(gymnasium.Env[Floats, Any]):
         """Begin an episode. Without a seed, it gets the next one of the generator that the last seed has set."""
         super().reset(seed=seed)
         observed = self._episodes.reset(None if seed is None else [seed])
-        _ = self.layout
-        return observed[0, 0].copy(), {}
+        _ = self.layout  # which may refuse
+        return observed[0].ravel().copy(), {}
 
     def step(self, action: Any) -> tuple[Floats, float, bool, bool, dict[str, Any]]:
         """Act, and simulate the time of a step."""
-        done = self._episodes.step(np.asarray(action, np.float32).reshape(1, 1, -1))
+        self._episodes.require_running()
+        given = np.asarray(action, np.float32).reshape(1, len(self._episodes.layout.learners), -1)
+        done = self._episodes.step(given)
         return (
-            done.observations[0, 0].copy(),
-            float(done.rewards[0, 0]),
+            done.observations[0].ravel().copy(),
+            float(done.rewards[0].mean()),
             bool(done.terminated[0]),
             bool(done.truncated[0]),
             done.endings.get(0, {}),
@@ -107,6 +94,47 @@ class SingleScenario(gymnasium.Env[Floats, Any]):
     def close(self) -> None:
         """End the process that simulates."""
         self._episodes.close()
+
+
+def _repeated(space: spaces.Space[Any], count: int) -> spaces.Space[Any]:
+    if count == 1:
+        return space
+    if isinstance(space, spaces.Box):
+        return spaces.Box(np.tile(space.low, count), np.tile(space.high, count), dtype=np.float32)
+    return spaces.MultiDiscrete([int(cast("spaces.Discrete", space).n)] * count)
+
+
+class SingleScenario(OneAgent):
+    """One robot learns."""
+
+    def __init__(
+        self,
+        spec: Spec,
+        *,
+        reward: Reward | str | None = None,
+        max_steps: int | None = None,
+        render_mode: str | None = None,
+    ) -> None:
+        super().__init__(Episodes(spec, 1, 1, reward, max_steps), render_mode)
+        self._made = (spec, reward, max_steps, render_mode)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _made, self._made
+
+    @property
+    def layout(self) -> Layout:
+        """What the numbers mean. It starts the process that simulates, if nothing did.
+
+        :raises RsalError: when not exactly one robot learns
+        """
+        layout = super().layout
+        if len(layout.learners) != 1:
+            self.close()
+            raise RsalError(
+                f"The role '{self._made[0].learners}' has {len(layout.learners)} robots, and Gymnasium needs one. "
+                "Use parallel_env, or an argument of the scenario for one robot, as in arguments={'hunters': 1}."
+            )
+        return layout
 
 
 def _made(spec: Spec, reward: Reward | str | None, max_steps: int | None, render_mode: str | None) -> SingleScenario:

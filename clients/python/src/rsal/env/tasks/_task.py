@@ -11,13 +11,11 @@ from typing import Any
 import gymnasium
 import numpy as np
 import numpy.typing as npt
-from gymnasium import spaces
 
 from rsal.agents.policy import PolicyAgent
-from rsal.env._drawing import Picture, Pictures
 from rsal.env._episodes import Episodes
 from rsal.env._parallel import ParallelScenario
-from rsal.env._spaces import action_space, observation_space
+from rsal.env._single import OneAgent
 from rsal.env._spec import Spec, Words
 from rsal.env._vector import VectorScenario
 from rsal.env._view import Rules
@@ -188,63 +186,23 @@ class Task:
         return [endings[world] for world in range(len(seeds))]
 
 
-class Team(gymnasium.Env[Floats, Any]):
+class Team(OneAgent):
     """A task in which one agent acts for all robots that learn.
 
     Observations and actions are those of all robots, one robot after the other; the reward is the mean of theirs.
     """
 
     def __init__(self, task: Task, spec: Spec, max_steps: int, render_mode: str | None = None) -> None:
-        self.metadata = {"render_modes": ["rgb_array"], "render_fps": 10}
-        self.render_mode = render_mode
-        self._episodes = Episodes(spec, 1, 1, task.rules(), max_steps)
-        self._pictures = Pictures(self._episodes, render_mode)
-        layout = self._episodes.layout
-        self._count = len(layout.learners)
-        self.observation_space = _repeated(observation_space(layout), self._count)
-        self.action_space = _repeated(action_space(layout), self._count)
+        super().__init__(Episodes(spec, 1, 1, task.rules(), max_steps), render_mode)
+        self._made = (task, spec, max_steps, render_mode)
 
-    @property
-    def fields(self) -> tuple[str, ...]:
-        """What each number of an observation is, with its unit."""
-        return self._episodes.layout.fields * self._count
-
-    def reset(
-        self,
-        *,
-        seed: int | None = None,
-        options: dict[str, Any] | None = None,  # noqa: ARG002 - of the interface
-    ) -> tuple[Floats, dict[str, Any]]:
-        """Begin an episode. Without a seed, it gets the next one of the generator that the last seed has set."""
-        super().reset(seed=seed)
-        return self._episodes.reset(None if seed is None else [seed])[0].ravel().copy(), {}
-
-    def step(self, action: Any) -> tuple[Floats, float, bool, bool, dict[str, Any]]:
-        """Act, and simulate the time of a step."""
-        done = self._episodes.step(np.asarray(action, np.float32).reshape(1, self._count, -1))
-        return (
-            done.observations[0].ravel().copy(),
-            float(done.rewards[0].mean()),
-            bool(done.terminated[0]),
-            bool(done.truncated[0]),
-            done.endings.get(0, {}),
-        )
-
-    def render(self) -> Picture | None:
-        """Return a picture of the map and the robots, if the render mode is ``rgb_array``."""
-        return self._pictures.render()
-
-    def close(self) -> None:
-        """End the process that simulates."""
-        self._episodes.close()
+    def __reduce__(self) -> tuple[Any, ...]:
+        task, *others = self._made
+        return _team, (task.name if _KNOWN.get(task.name) is task else task, *others)
 
 
-def _repeated(space: spaces.Space[Any], count: int) -> spaces.Space[Any]:
-    if isinstance(space, spaces.Box):
-        return spaces.Box(np.tile(space.low, count), np.tile(space.high, count), dtype=np.float32)
-    if isinstance(space, spaces.Discrete) and count > 1:
-        return spaces.MultiDiscrete([space.n] * count)
-    return space
+def _team(task: Task | str, spec: Spec, max_steps: int, render_mode: str | None) -> Team:
+    return Team(_KNOWN[task] if isinstance(task, str) else task, spec, max_steps, render_mode)
 
 
 _KNOWN: dict[str, Task] = {}
