@@ -696,6 +696,11 @@ class Robot:
             CONTRACTS.get(each["contract"], Device)(agent, each["index"], each["name"]) for each in words["devices"]
         ]
 
+    def __getattr__(self, name: str) -> Any:
+        known = [each for each in dir(type(self)) if not each.startswith("_")]
+        robot = self.__dict__.get("id", "")
+        raise AttributeError(f"Robot '{robot}' has no attribute '{name}'. Known are: {', '.join(known)}.")
+
     def find(self, kind: type[D], name: str = "") -> D | None:
         """Return the first device of a type, or the one of a name; ``None`` when there is none."""
         for device in self.devices:

@@ -13,6 +13,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.NavigableMap;
 import java.util.Objects;
@@ -21,12 +22,14 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /// Values that Python has sent, as what Java wants them to be: the reverse of [ToWords].
 final class FromWords {
     private static final double NANOS = 1e9;
+    private static final Pattern UPPER = Pattern.compile("(?<=[a-z0-9])[A-Z]");
 
     private FromWords() {}
 
@@ -91,7 +94,7 @@ final class FromWords {
             return words == null ? OptionalDouble.empty() : OptionalDouble.of(number(words));
         }
         if (words == null) {
-            throw new IllegalArgumentException("None is not a '%s'.".formatted(plain.getSimpleName()));
+            throw new IllegalArgumentException("None is not a '%s'.".formatted(name(plain)));
         }
         if (plain == double.class || plain == Double.class) {
             return number(words);
@@ -135,7 +138,25 @@ final class FromWords {
     }
 
     private static IllegalArgumentException misfit(Object words, Class<?> type) {
-        return new IllegalArgumentException("'%s' is not a '%s'.".formatted(words, type.getSimpleName()));
+        return new IllegalArgumentException("'%s' is not a '%s'.".formatted(words, name(type)));
+    }
+
+    /// As Python calls a field.
+    private static String field(String name) {
+        return UPPER.matcher(name).replaceAll("_$0").toLowerCase(Locale.ROOT);
+    }
+
+    /// As Python calls a type.
+    private static String name(Class<?> type) {
+        return switch (type.getSimpleName()) {
+            case "String" -> "str";
+            case "boolean", "Boolean" -> "bool";
+            case "double", "Double", "Duration", "Instant" -> "float";
+            case "int", "Integer" -> "int";
+            case "List", "Set", "Collection" -> "list";
+            case "Map", "NavigableMap" -> "dict";
+            default -> type.getSimpleName();
+        };
     }
 
     private static Object container(@Nullable Object words, Class<?> type, Type[] inner) {
@@ -197,7 +218,13 @@ final class FromWords {
         Shape shape = SHAPES.get(type);
         var values = new Object[shape.names.length];
         for (int i = 0; i < values.length; i++) {
-            values[i] = value(fields.get(shape.names[i]), shape.types[i]);
+            try {
+                values[i] = value(fields.get(shape.names[i]), shape.types[i]);
+            } catch (IllegalArgumentException e) {
+                throw new IllegalArgumentException(
+                        "Field '%s' of '%s': %s".formatted(field(shape.names[i]), type.getSimpleName(), e.getMessage()),
+                        e);
+            }
         }
         try {
             return shape.constructor.newInstance(values);

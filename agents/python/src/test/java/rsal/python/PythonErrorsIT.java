@@ -133,6 +133,24 @@ class PythonErrorsIT extends RobotBench {
     }
 
     @Test
+    void wrongNamesAndTypesAreNamedAsPythonDoes() {
+        start("amy", """
+                def on_start(self):
+                    self.robot.lasr
+                """);
+        start("bob", """
+                def on_start(self):
+                    from rsal.agents.messages import PoseReport
+                    self.publish(PoseReport(3, '', Pose2d(0, 0, 0)))
+                """);
+        advance(0.1);
+        assertThat(state("amy"))
+                .startsWith("amy.py:6 in on_start: AttributeError: Robot 'r1' has no attribute 'lasr'. Known are: ")
+                .contains("laser");
+        assertThat(state("bob")).contains("Field 'robot' of 'PoseReport': '3' is not a 'str'.");
+    }
+
+    @Test
     void bidsWithoutANumberCountAsNone() {
         for (String bid : List.of("{'cost': 3}", "{'price': 1}", "{'cost': float('nan')}", "{'cost': 'low'}")) {
             start("b" + lines.size() + bid.length(), """

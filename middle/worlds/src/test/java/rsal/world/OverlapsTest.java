@@ -43,7 +43,7 @@ class OverlapsTest {
         int found = 0;
         int apart = 0;
         int barely = 0; // between the places of the grid
-        int seeds = Rounds.of(10, 100);
+        int seeds = Rounds.of(25, 100);
         for (long seed = 0; seed < seeds; seed++) {
             var random = new SplittableRandom(seed);
             var solid = new BitSet();

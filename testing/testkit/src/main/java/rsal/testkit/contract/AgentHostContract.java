@@ -722,7 +722,7 @@ public abstract class AgentHostContract extends ContractNetContract {
                 assertThat(run.platform().look("nobody", Mind.View.class)).isEmpty();
                 assertThatThrownBy(() -> run.platform().look("bob", Integer.class))
                         .isInstanceOf(IllegalArgumentException.class)
-                        .hasMessage("Agent 'bob' can't be looked into: a secret");
+                        .hasMessage("Agent 'bob' can't be inspected: a secret");
             });
             assertThat(run.status("bob")).isEqualTo(Status.RUNNING);
         }
