@@ -30,7 +30,7 @@ final class JunctionSearch {
     private final double body;
     private final int leastArc; // cells; narrower arcs are no corridors
     private final int[] seen; // by cell, the number of the flood that has reached it
-    private final int[] queue; // cells of the flood, in the order in which it reached them
+    private final int[] waiting; // cells of the flood whose neighbors were not looked at
     private final int[] sides; // of a cell, as differences of indices
     private final Map<Double, Ring> rings = new HashMap<>(); // by clearance
     private final List<Arc> arcs = new ArrayList<>();
@@ -59,7 +59,7 @@ final class JunctionSearch {
         this.body = body;
         this.leastArc = (int) ((2 * Passages.halfWidth(body) - SLACK - 2 * body) / grid.resolution());
         this.seen = new int[passages.length];
-        this.queue = new int[passages.length];
+        this.waiting = new int[passages.length];
         this.sides = new int[] {-1, 1, -grid.width(), grid.width()};
     }
 
@@ -161,8 +161,9 @@ final class JunctionSearch {
         int width = grid.width();
         int centerColumn = center % width;
         int centerRow = center / width;
-        for (int i = 0; i < last; i++) {
-            int cell = queue[i];
+        while (last > 0) { // the newest first, as that gets away soonest
+            last--;
+            int cell = waiting[last];
             for (int side : sides) {
                 int next = cell + side;
                 if (seen[next] != floods && open.isOpen(next) && toNotFree.at(next) >= body) {
@@ -184,7 +185,7 @@ final class JunctionSearch {
             return last;
         }
         seen[cell] = floods;
-        queue[last] = cell;
+        waiting[last] = cell;
         return last + 1;
     }
 
