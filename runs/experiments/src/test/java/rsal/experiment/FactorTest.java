@@ -43,7 +43,7 @@ class FactorTest {
             hunters | 2,1:3   | Level '2' is there twice.
             speed   | 1,1.0   | Level '1.0' is there twice.
             speed   | 0:2:1e-9 | has more than
-            speed   | 1.2.3:2 | no range
+            speed   | 1.2.3:2 | not a range
             """)
     void saysWhatIsWrongWithThem(String argument, String typed, String message) {
         assertThatExceptionOfType(InvalidSettings.class)

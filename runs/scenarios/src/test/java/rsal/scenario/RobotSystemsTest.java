@@ -344,7 +344,7 @@ class RobotSystemsTest {
             name: virtual1}  | name: virtual1, mrs: {host: b}} | 'host' is not known in 'robots.hunter.members.mrs'.
             name: virtual1}  | name: virtual1, pose: otto}  | must be [x, y, degrees], a list of those, or {free: true}
             fiducial: 11     | fiducal: 11                  | 'fiducal' is not known
-            fiducial: 11     | count: 3                     | 'robots.hunter.count' can't be said where robots are named
+            fiducial: 11     | count: 3                     | 'robots.hunter.count' is not allowed where robots are
             pose: {free: true} | pose: [[1, 2, 0], [3, 4, 0]] | 'robots.hunter.pose' can't be a list of poses where
             """)
     void errorsAreToldOnceAndWhereTheyAre(String right, String wrong, String words) {

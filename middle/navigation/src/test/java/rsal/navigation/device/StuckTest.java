@@ -254,7 +254,7 @@ class StuckTest {
         assertThat(results)
                 .singleElement()
                 .isInstanceOfSatisfying(
-                        Result.Stuck.class, stuck -> assertThat(stuck.why()).contains("3 times", "does not see"));
+                        Result.Stuck.class, stuck -> assertThat(stuck.why()).contains("3 collisions", "does not see"));
         assertThat(run.simulation.contacts()).hasSizeLessThanOrEqualTo(3);
     }
 

@@ -103,16 +103,16 @@ class DamagedMessagesTest {
     void whatIsNestedTooDeeplyIsRefused() {
         byte[] lists = new byte[100_000];
         Arrays.fill(lists, (byte) 0x81); // a list of one
-        assertThat(refusal(() -> ValueReader.cbor(ByteBuffer.wrap(lists)))).contains("no CBOR");
-        assertThat(refusal(() -> ValueReader.json("[".repeat(100_000)))).contains("no JSON");
+        assertThat(refusal(() -> ValueReader.cbor(ByteBuffer.wrap(lists)))).contains("not CBOR");
+        assertThat(refusal(() -> ValueReader.json("[".repeat(100_000)))).contains("not JSON");
     }
 
     @Test
     void nothingIsAllocatedForWhatIsClaimed() {
         byte[] list = {(byte) 0x9a, 0x7f, (byte) 0xff, (byte) 0xff, (byte) 0xff}; // of two billion
-        assertThat(refusal(() -> ValueReader.cbor(ByteBuffer.wrap(list)))).contains("no CBOR");
+        assertThat(refusal(() -> ValueReader.cbor(ByteBuffer.wrap(list)))).contains("not CBOR");
         byte[] bytes = {0x5b, (byte) 0xff, (byte) 0xff, (byte) 0xff, (byte) 0xff, 0, 0, 0, 0};
-        assertThat(refusal(() -> ValueReader.cbor(ByteBuffer.wrap(bytes)))).contains("no CBOR");
+        assertThat(refusal(() -> ValueReader.cbor(ByteBuffer.wrap(bytes)))).contains("not CBOR");
     }
 
     private interface Reading {
