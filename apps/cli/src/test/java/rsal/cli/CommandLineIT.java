@@ -291,7 +291,7 @@ class CommandLineIT {
     @CsvSource(quoteCharacter = '`', delimiter = '|', textBlock = """
             frobnicate          | 'frobnicate'
             rum                 | Maybe 'run'
-                                | Say what to do
+                                | Name a command
             run --seed abc      | --seed': 'abc' is not a whole number
             run --seed 1.5      | '1.5'
             run --sped 2        | '--sped'
@@ -1328,7 +1328,7 @@ class CommandLineIT {
             convert                              | 2 | FILE.world
             convert none.world                   | 3 | There is no file 'none.world'
             convert broken.world                 | 3 | broken.world:1:
-            convert guard.yaml                   | 3 | no file that can be converted
+            convert guard.yaml                   | 3 | not a file that can be converted
             convert good.world out.yaml          | 2 | must end with .world.yaml
             convert good.world no/out.world.yaml | 3 | There is no such folder
             """)

@@ -67,7 +67,7 @@ class PublishedGoalTest {
                 "{\"position\": {\"x\": \"1\", \"y\": 2}} | position.x",
                 "{\"position\": {\"x\": 1e300, \"y\": 2}, \"orientation\": {\"z\": 0, \"w\": 1}} | farther",
                 "{\"position\": {\"x\": 1, \"y\": 2}} | orientation.w",
-                "{\"position\": {\"x\": 1, \"y\": 2}, \"orientation\": {\"z\": 0, \"w\": 0}} | no turn",
+                "{\"position\": {\"x\": 1, \"y\": 2}, \"orientation\": {\"z\": 0, \"w\": 0}} | not a rotation",
                 "{\"frame_id\": \"odom\", \"position\": {\"x\": 1, \"y\": 2}, \"orientation\": {\"z\": 0, \"w\": 1}} | 'map'"
             })
     void whatIsUnclearIsTold(String message, String why) {
