@@ -221,6 +221,12 @@ export interface Fact {
   color: string | null;
 }
 
+export interface FieldError {
+  where: string;
+  message: string;
+  remedy: string;
+}
+
 export interface FieldInfo {
   name: string;
   kind: FieldKind;
@@ -333,12 +339,6 @@ export interface MindInfo {
   beliefs: BeliefInfo[];
   goals: GoalInfo[];
   left: number;
-}
-
-export interface FieldError {
-  where: string;
-  message: string;
-  remedy: string;
 }
 
 export interface MotorsOff {
