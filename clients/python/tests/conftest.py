@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -27,6 +28,12 @@ metrics: [{{name: way, from: distance(other)}}]
 
 CHECKOUT = Path(__file__).parents[3]
 OPTIONS = CHECKOUT / "apps/release/src/main/resources/rsal/release/unpacked/java.options"
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _interrupts() -> None:
+    """Let interrupts arrive: a shell has processes in the background ignore them, and their children, too."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -59,8 +59,8 @@ import numpy as np
 from rsal import env
 made = env.make_vec(sys.argv[1], num_envs=1, learners="learner")
 made.reset(seed=1)
-print("ready", flush=True)
 try:
+    print("ready", flush=True)
     time.sleep(60)
 except KeyboardInterrupt:
     pass
