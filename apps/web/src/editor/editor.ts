@@ -101,7 +101,7 @@ function offsetOf(doc: Text, line: number, column: number): number {
 /** What is wrong with the text as it is now. */
 const found = StateEffect.define<readonly TextError[]>();
 
-/** Each error's word is underlined, until it is told anew what is wrong. */
+/** Each error's word is underlined, until the text is checked again. */
 const underlined = StateField.define<DecorationSet>({
   create: () => Decoration.none,
   update(marks, { changes, effects, newDoc }) {

@@ -98,7 +98,7 @@ class BoardWatch(Subscription, Generic[M]):
 
     @property
     def current(self) -> bool:
-        """Whether the master told of changes the last time that something was heard."""
+        """Whether the master reported changes when something was heard last."""
         return self._current
 
 

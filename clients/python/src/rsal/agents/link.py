@@ -133,7 +133,7 @@ def place() -> str:
     key = (code, frame.f_lasti)
     known = _PLACES.get(key)
     if known is None:
-        if len(_PLACES) >= _MOST_PLACES:  # of code that is made anew again and again
+        if len(_PLACES) >= _MOST_PLACES:  # of code that is made again and again
             _PLACES.clear()
             _OWN.clear()
         known = _PLACES[key] = f"{code.co_filename}:{frame.f_lineno} in {code.co_name}"

@@ -2,9 +2,8 @@ package rsal.agent;
 
 import java.util.concurrent.CompletionStage;
 
-/// An agent whose code runs elsewhere, as in another process, and may need a while for its last words. It lives on
-/// until
-/// they are there, but not for long; nothing waits for them on its lane.
+/// An agent whose code runs elsewhere, as in another process, and may need a while for its last words. It lives on for
+/// a short time until they are there. Nothing waits for them on its lane.
 public interface OutsideAgent extends Agent {
     /// In place of [Agent#stop]. On the agent's lane.
     ///

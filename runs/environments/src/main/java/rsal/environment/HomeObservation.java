@@ -56,8 +56,7 @@ public final class HomeObservation implements ObservationType {
             return (to, at) -> {
                 Pose2d mapFromBase = OwnPose.believed(localizer);
                 Point2d home = mapFromBase.inverse().transform(start);
-                to[at] = Math.clamp((float) home.x(), -max, max);
-                to[at + 1] = Math.clamp((float) home.y(), -max, max);
+                Bounds.put(home.x(), home.y(), max, to, at);
             };
         }
     }

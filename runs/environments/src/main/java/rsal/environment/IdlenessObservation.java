@@ -83,8 +83,7 @@ public final class IdlenessObservation implements ObservationType {
                     idle[i] = isVisited(place, team, world) ? 0 : idle[i] + 1;
                     Point2d baseFromPlace = baseFromMap.transform(place);
                     int next = at + EACH * i;
-                    to[next] = Math.clamp((float) baseFromPlace.x(), -max, max);
-                    to[next + 1] = Math.clamp((float) baseFromPlace.y(), -max, max);
+                    Bounds.put(baseFromPlace.x(), baseFromPlace.y(), max, to, next);
                     to[next + 2] = Math.min(idle[i], max);
                 }
             };

@@ -139,8 +139,7 @@ public final class MarkersObservation implements ObservationType {
                     continue;
                 }
                 int next = at + EACH * found;
-                to[next] = Math.clamp((float) x, -wanted.max, wanted.max);
-                to[next + 1] = Math.clamp((float) y, -wanted.max, wanted.max);
+                Bounds.put(x, y, wanted.max, to, next);
                 to[next + 2] = 1;
                 found++;
             }

@@ -76,8 +76,7 @@ public final class PlaceObservation implements ObservationType {
 
         private void write(Pose2d mapFromBase, float[] to, int at) {
             Point2d baseFromPlace = mapFromBase.inverse().transform(mapFromPlace);
-            to[at] = Math.clamp((float) baseFromPlace.x(), -max, max);
-            to[at + 1] = Math.clamp((float) baseFromPlace.y(), -max, max);
+            Bounds.put(baseFromPlace.x(), baseFromPlace.y(), max, to, at);
         }
     }
 }

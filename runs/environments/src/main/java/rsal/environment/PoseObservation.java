@@ -64,8 +64,7 @@ public final class PoseObservation implements ObservationType {
         }
 
         private void write(Pose2d mapFromBase, float[] to, int at) {
-            to[at] = Math.clamp((float) mapFromBase.x(), -max, max);
-            to[at + 1] = Math.clamp((float) mapFromBase.y(), -max, max);
+            Bounds.put(mapFromBase.x(), mapFromBase.y(), max, to, at);
             to[at + 2] = (float) Math.cos(mapFromBase.theta());
             to[at + 3] = (float) Math.sin(mapFromBase.theta());
         }

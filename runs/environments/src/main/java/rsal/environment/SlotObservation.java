@@ -108,8 +108,7 @@ public final class SlotObservation implements ObservationType {
             }
             Pose2d leader = baseFromLeader == null ? Pose2d.ORIGIN : baseFromLeader;
             Point2d slot = baseFromLeader == null ? Pose2d.ORIGIN.position() : leader.transform(leaderFromSlot);
-            to[at] = Math.clamp((float) slot.x(), -wanted.max, wanted.max);
-            to[at + 1] = Math.clamp((float) slot.y(), -wanted.max, wanted.max);
+            Bounds.put(slot.x(), slot.y(), wanted.max, to, at);
             to[at + 2] = (float) Math.cos(leader.theta());
             to[at + 3] = (float) Math.sin(leader.theta());
             to[at + 4] = seen == null ? 0 : 1;

@@ -37,17 +37,7 @@ public final class Propose<P> {
     /// @param judge called on the agent's lane
     /// @throws IllegalStateException when this was called before
     public void answer(Function<? super Offer<P>, Verdict> judge) {
-        conversations.open(dialogue -> new Answering(dialogue) {
-            @Override
-            public void heard(Act act) {
-                if (act.performative() == Performative.PROPOSE) {
-                    Verdict verdict = judge.apply(new Offer<>(from(), proposal.cast(act.content())));
-                    say(
-                            verdict.accepted() ? Performative.ACCEPT_PROPOSAL : Performative.REJECT_PROPOSAL,
-                            verdict.why());
-                }
-            }
-        });
+        decide(pending -> pending.decide(judge.apply(new Offer<>(pending.from(), pending.what()))));
     }
 
     /// As [#answer], by one that decides now or later.
