@@ -186,6 +186,8 @@ class Bench:
 
             env = importlib.import_module("rsal.env")
         except ImportError as error:
+            if (error.name or "").startswith("rsal."):
+                raise  # the package itself is not whole
             for name in self._wanted:
                 if name.startswith("python.env."):
                     self.leave_out(name, f"not installed ({error}): pip install 'rsal[env]'")

@@ -50,6 +50,20 @@ class PythonBenchTest {
     }
 
     @Test
+    void thePackageOfPythonIsWhole() throws IOException {
+        Path sources = Path.of("../../clients/python/src/rsal");
+        try (Stream<Path> files = Files.walk(sources)) {
+            assertThat(files.filter(Files::isRegularFile)
+                            .filter(file -> !file.toString().contains("__pycache__")))
+                    .isNotEmpty()
+                    .allSatisfy(file -> assertThat(PythonBench.class.getResource(
+                                    "/rsal/bench/python/home/rsal/" + sources.relativize(file)))
+                            .as(file.toString())
+                            .isNotNull());
+        }
+    }
+
+    @Test
     void linesAreResultsOrSayWhyThereIsNone() {
         assertThat(PythonProgram.Line.of("{\"name\": \"a.b\", \"values\": [1, 2.5]}")
                         .values())
