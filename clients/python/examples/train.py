@@ -97,10 +97,10 @@ def returns(worlds: Any, shape: Shape, population: Floats, seeds: list[int], ste
 def imitated(task: Task, shape: Shape, options: argparse.Namespace) -> Floats:
     """Return parameters that act as the policy by hand, as far as the network can.
 
-    The robots act by hand with noise, so that the network also sees what happens after mistakes; then least squares by
-    Adam (Kingma, Ba, 2015).
+    The robots act by hand with noise, so that the network also sees what happens after errors. Then Adam (Kingma, Ba,
+    2015) reduces the squared error of continuous actions, or the cross-entropy of choices.
     """
-    if task.by_hand is None or shape.choices:
+    if task.by_hand is None:
         raise SystemExit(f"There is nothing to imitate in the task {task.name}.")
     random = np.random.default_rng(options.seed)
     worlds = task.make_vec(40, threads=1)
@@ -110,12 +110,20 @@ def imitated(task: Task, shape: Shape, options: argparse.Namespace) -> Floats:
         action = task.by_hand(observations)
         seen.append(observations.reshape(-1, observations.shape[-1]))
         done.append(np.asarray(action).reshape(-1, action.shape[-1]))
-        noise = random.normal(0, 0.3, action.shape) * (shape.high - shape.low)
         wild = random.random((*action.shape[:2], 1)) < 0.3
-        observations, *_ = worlds.step(np.clip(action + noise * wild, shape.low, shape.high))
+        if shape.choices:
+            noisy = np.where(wild, random.integers(0, shape.choices, action.shape), action)
+        else:
+            noise = random.normal(0, 0.3, action.shape) * (shape.high - shape.low)
+            noisy = np.clip(action + noise * wild, shape.low, shape.high)
+        observations, *_ = worlds.step(noisy)
     worlds.close()
     inputs = np.clip(np.concatenate(seen) / shape.scale, -1.0, 1.0)
-    wanted = np.clip(2 * (np.concatenate(done) - shape.low) / (shape.high - shape.low) - 1, -0.95, 0.95)
+    acts = np.concatenate(done)
+    if shape.choices:
+        wanted = np.eye(shape.choices)[acts[:, 0].astype(int)]
+    else:
+        wanted = np.clip(2 * (acts - shape.low) / (shape.high - shape.low) - 1, -0.95, 0.95)
     parameters = random.normal(0, 0.3, shape.size)
     first, second = np.zeros(shape.size), np.zeros(shape.size)
     for step in range(1, 6001):
@@ -124,7 +132,7 @@ def imitated(task: Task, shape: Shape, options: argparse.Namespace) -> Floats:
         layers = shape.split(parameters)
         for layer in layers:
             values.append(np.tanh(values[-1] @ layer[:, :-1].T + layer[:, -1]))
-        error = values[-1] - wanted[chosen]
+        error = (_shares(values[-1]) if shape.choices else values[-1]) - wanted[chosen]
         slope, slopes = error, []
         for layer, before, after in zip(reversed(layers), reversed(values[:-1]), reversed(values[1:]), strict=True):
             slope = slope * (1 - after**2)
@@ -136,6 +144,13 @@ def imitated(task: Task, shape: Shape, options: argparse.Namespace) -> Floats:
         parameters = parameters - 0.01 * (first / (1 - 0.9**step)) / (np.sqrt(second / (1 - 0.999**step)) + 1e-8)
     print(f"imitated {len(inputs)} decisions, mean squared error {float((error**2).mean()):.4f}", flush=True)
     return parameters
+
+
+def _shares(outputs: Floats) -> Floats:
+    """Return how likely each choice is (softmax). Outputs lie between -1 and 1, so they count five times."""
+    powers = np.exp(5.0 * outputs)
+    shares: Floats = powers / powers.sum(-1, keepdims=True)
+    return shares
 
 
 def agent(task: Task, shape: Shape, parameters: Floats, made: str) -> str:

@@ -114,7 +114,7 @@ final class EmptyBoxes {
                 continue;
             }
             double limit = Math.min(reach, rays.range[i]);
-            double way = way(
+            double distance = distance(
                     column,
                     row,
                     rays.dx[i] * walls.columnsPerMeter,
@@ -122,8 +122,8 @@ final class EmptyBoxes {
                     perColumn,
                     perRow,
                     limit);
-            if (way <= limit) {
-                rays.range[i] = way;
+            if (distance <= limit) {
+                rays.range[i] = distance;
                 rays.met[i] = Rays.WALL;
             }
         }
@@ -140,7 +140,7 @@ final class EmptyBoxes {
     }
 
     /// How far a ray gets until it meets a wall [m]; +∞ or more than the limit if it doesn't.
-    private double way(
+    private double distance(
             double column,
             double row,
             double columnsPerMeter,
@@ -155,32 +155,32 @@ final class EmptyBoxes {
         int c = cell(column, leftward);
         int r = cell(row, downward);
         int box = all[first + walls.at(c, r)];
-        double way = 0;
-        while (box != SOLID && way <= limit) {
+        double distance = 0;
+        while (box != SOLID && distance <= limit) {
             int lastColumn = c + ahead(leftward) * (box & BYTE);
             int lastRow = r + ahead(downward) * (box >> BITS & BYTE);
             double toColumn = crossing(lastColumn, leftward, column, metersPerColumn);
             double toRow = crossing(lastRow, downward, row, metersPerRow);
             if (toColumn < toRow) {
-                way = toColumn;
+                distance = toColumn;
                 c = lastColumn + ahead(leftward);
-                double at = row + way * rowsPerMeter;
+                double at = row + distance * rowsPerMeter;
                 int it = (int) at;
                 if (Math.abs(at - it - 0.5) > 0.5 - CLOSE) {
                     it = nearest(r, it, lastRow, downward);
-                    while (it != lastRow && crossing(it, downward, row, metersPerRow) <= way) {
+                    while (it != lastRow && crossing(it, downward, row, metersPerRow) <= distance) {
                         it += ahead(downward);
                     }
                 }
                 r = it;
             } else {
-                way = toRow;
+                distance = toRow;
                 r = lastRow + ahead(downward);
-                double at = column + way * columnsPerMeter;
+                double at = column + distance * columnsPerMeter;
                 int it = (int) at;
                 if (Math.abs(at - it - 0.5) > 0.5 - CLOSE) {
                     it = nearest(c, it, lastColumn, leftward);
-                    while (it != lastColumn && crossing(it, leftward, column, metersPerColumn) < way) {
+                    while (it != lastColumn && crossing(it, leftward, column, metersPerColumn) < distance) {
                         it += ahead(leftward);
                     }
                 }
@@ -188,7 +188,7 @@ final class EmptyBoxes {
             }
             box = all[first + walls.at(c, r)];
         }
-        return box == SOLID && !walls.isFence(c, r) ? way : Double.POSITIVE_INFINITY;
+        return box == SOLID && !walls.isFence(c, r) ? distance : Double.POSITIVE_INFINITY;
     }
 
     /// The cell in which a ray begins; at a border, that into which it goes.
