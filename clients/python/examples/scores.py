@@ -15,21 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from rsal.env.tasks import TASKS, Policy, Task
+from rsal.env.tasks import TASKS, Task
 
 SEEDS = range(1, 33)
-
-
-def at_random(task: Task) -> Policy:
-    """Return a policy that draws each action uniformly."""
-    worlds = task.make_vec(1)
-    layout = worlds.layout
-    worlds.close()
-    random = np.random.default_rng(1)
-    if layout.choices:
-        return lambda observed: random.integers(0, layout.choices, (*observed.shape[:-1], 1)).astype(float)
-    size = len(layout.action_low)
-    return lambda observed: random.uniform(layout.action_low, layout.action_high, (*observed.shape[:-1], size))
 
 
 def interval(values: list[float]) -> tuple[float, float]:
@@ -46,7 +34,7 @@ def measure(task: Task, policy: str, configuration: str) -> list[dict[str, Any]]
         scripted = task.scripted.get(configuration)
         return None if scripted is None else task.evaluate_scripted(seeds=SEEDS, configuration=configuration)
     if policy == "random":
-        return task.evaluate(at_random(task), seeds=SEEDS, configuration=configuration)
+        return task.evaluate(task.at_random(), seeds=SEEDS, configuration=configuration)
     acting = task.by_hand if policy == "hand" else task.learned()
     return None if acting is None else task.evaluate(acting, seeds=SEEDS, configuration=configuration)
 

@@ -126,7 +126,7 @@ def imitated(task: Task, shape: Shape, options: argparse.Namespace) -> Floats:
         wanted = np.clip(2 * (acts - shape.low) / (shape.high - shape.low) - 1, -0.95, 0.95)
     parameters = random.normal(0, 0.3, shape.size)
     first, second = np.zeros(shape.size), np.zeros(shape.size)
-    for step in range(1, 6001):
+    for step in range(1, options.fits + 1):
         chosen = random.integers(0, len(inputs), 256)
         values = [inputs[chosen]]
         layers = shape.split(parameters)
@@ -284,6 +284,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--start", default="", help="parameters to start from")
     parser.add_argument("--imitate", type=int, default=0, help="steps of the policy by hand to begin with")
+    parser.add_argument("--fits", type=int, default=6000, help="steps of Adam to imitate")
     parser.add_argument("--configurations", nargs="*", help="of the scenario; as the task says")
     parser.add_argument("--out", default="trained")
     options = parser.parse_args()

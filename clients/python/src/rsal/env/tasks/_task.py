@@ -88,6 +88,17 @@ class Task:
         agent: type[PolicyAgent] = getattr(import_module(f"rsal.env.tasks.{module}"), f"{self.name}Policy")
         return agent.network
 
+    def at_random(self, seed: int = 1) -> Policy:
+        """Return a policy that draws each action uniformly: the least that a score must be better than."""
+        worlds = self.make_vec(1)
+        layout = worlds.layout
+        worlds.close()
+        random = np.random.default_rng(seed)
+        if layout.choices:
+            return lambda observed: random.integers(0, layout.choices, (*observed.shape[:-1], 1)).astype(float)
+        size = len(layout.action_low)
+        return lambda observed: random.uniform(layout.action_low, layout.action_high, (*observed.shape[:-1], size))
+
     def parallel_env(
         self,
         *,
