@@ -383,7 +383,9 @@ class LauncherIT {
 
         assertThat(ended.code()).isEqualTo(1);
         assertThat(ended.out()).isEqualTo("2 passed, 1 failed\n");
-        assertThat(ended.err()).containsOnlyOnce("Page: checks and tests FAILED").contains("EBROKEN");
+        assertThat(ended.err())
+                .containsOnlyOnce("Page: checks and tests FAILED")
+                .contains("EBROKEN");
         assertThat(builds()).containsOnlyOnce("run lint");
         assertThat(project.resolve("target/launcher/build.log")).content().contains("EBROKEN");
     }
