@@ -6,11 +6,13 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Predicate;
+import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -75,14 +77,8 @@ class RobotCommandsTest {
         run.close();
     }
 
-    /// The first snapshot that is as wanted. What a paused run does at once is not waited for until the next is due.
+    /// The first snapshot that is as wanted.
     private Snapshot await(Predicate<Snapshot> wanted) {
-        for (int tries = 0; tries < 10; tries++) {
-            Snapshot snapshot = now();
-            if (wanted.test(snapshot)) {
-                return snapshot;
-            }
-        }
         for (int tries = 0; tries < 1000; tries++) {
             var news = new CountDownLatch(1);
             try (var _ = run.onSnapshot(news::countDown)) {
@@ -109,7 +105,7 @@ class RobotCommandsTest {
         return robot(snapshot, id).truth().orElseThrow();
     }
 
-    /// Of this moment: the run makes one at once, not when the next is due.
+    /// One that is made after it was asked for, within 45 ms.
     private Snapshot now() {
         return run.freshSnapshot()
                 .toCompletableFuture()
@@ -142,10 +138,15 @@ class RobotCommandsTest {
     /// Keeps a key pressed for some steps of 100 ms.
     private Snapshot drive(String robot, Twist2d velocity, int steps) {
         for (int step = 0; step < steps; step++) {
-            var before = now().time();
+            Duration after = run.elapsed().plus(run.plan().step());
             done(run.operator().drive(robot, "me", velocity));
             run.step();
-            await(s -> s.time().compareTo(before) > 0);
+            Awaitility.await("a step")
+                    .atMost(Duration.ofSeconds(30))
+                    .pollInSameThread()
+                    .pollDelay(Duration.ZERO)
+                    .pollInterval(Duration.ofMillis(1))
+                    .until(() -> run.elapsed().compareTo(after) >= 0); // snapshots come less often
         }
         return now();
     }
