@@ -477,7 +477,7 @@ class PlayerSystemTest {
         try (var free = new ServerSocket(0)) {
             nobody = free.getLocalPort();
         }
-        assertThatThrownBy(() -> discover(Map.of("port", nobody), spec()))
+        assertThatThrownBy(() -> discover(Map.of("port", nobody, "wait", 3.0), spec()))
                 .cause()
                 .hasMessage(
                         "There is no Player server at 'localhost:%d': Connection refused. Start the robot's server; or serve simulated robots: rsal bridge player SCENARIO --no-agents."
