@@ -236,14 +236,12 @@ class PlayerSystemTest {
         until(() -> stands(robot));
     }
 
-    /// As it says itself.
+    /// As far as it has said.
     private static boolean stands(Robot robot) {
         return robot.require(DriveBase.class)
                 .latest()
-                .orElseThrow()
-                .value()
-                .velocity()
-                .equals(Twist2d.STOP);
+                .map(odometry -> odometry.value().velocity().equals(Twist2d.STOP))
+                .orElse(true);
     }
 
     @Test
