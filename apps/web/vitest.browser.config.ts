@@ -6,7 +6,7 @@ export default defineConfig({
     passWithNoTests: true,
     isolate: false, // files one after the other share a process, its libraries and its browser
     maxWorkers: 2, // browsers at a time: most of the time each waits for its run
-    testTimeout: 60_000,
+    testTimeout: 180_000, // longer than what is waited for in them
     hookTimeout: 120_000,
     chaiConfig: { truncateThreshold: 0 }, // what was found is told whole
     reporters: ['default', 'junit'],

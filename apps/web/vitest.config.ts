@@ -3,5 +3,9 @@ import { defineConfig } from 'vitest/config';
 
 export default defineConfig({
   plugins: [svelte()],
-  test: { include: ['src/**/*.test.ts'] },
+  test: {
+    include: ['src/**/*.test.ts'],
+    testTimeout: 60_000, // they run at low priority, beside all tests of Java
+    hookTimeout: 60_000,
+  },
 });

@@ -1,4 +1,4 @@
-const PATIENCE_MILLIS = 30_000;
+const PATIENCE_MILLIS = 60_000; // a machine may be busy with other tests
 
 /**
  * Waits until something is so.

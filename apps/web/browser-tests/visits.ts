@@ -114,6 +114,8 @@ export function visits({ refusals = true } = {}) {
     const browser = await theBrowser();
     const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
     (forOneTest ? opened : forAll).push(context);
+    context.setDefaultTimeout(60_000); // as the machine may be busy with other tests
+    context.setDefaultNavigationTimeout(60_000);
     await context.addInitScript(drawSeldom);
     const page = await context.newPage();
     if (!mayFail) {

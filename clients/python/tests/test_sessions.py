@@ -39,7 +39,7 @@ def test_the_status_has_robots(session: Session) -> None:
 def test_a_goal_has_a_result(session: Session) -> None:
     robot = session.status()["robots"][0]
     x = robot["x"] + 2
-    result = session.goal(robot["id"], x, robot["y"], robot["heading"], wait=True, timeout=30)
+    result = session.goal(robot["id"], x, robot["y"], robot["heading"], wait=True, timeout=120)
     assert result.ok, result
     assert result.robot == robot["id"]
     assert result.seconds > 2
@@ -120,7 +120,7 @@ def test_it_shows_itself_in_notebooks(session: Session) -> None:
 
 def test_events_end_with_the_run(session: Session) -> None:
     session.stop()
-    assert session.wait(timeout=10) == "stopped"
+    assert session.wait(timeout=60) == "stopped"
     events = list(session.events())
     assert [event.sequence for event in events] == list(range(1, len(events) + 1))
 
@@ -287,7 +287,7 @@ def test_it_waits_for_a_run_that_is_busy(monkeypatch: pytest.MonkeyPatch) -> Non
         threading.Thread(target=server.serve_forever, daemon=True).start()
         session = Session(f"http://127.0.0.1:{server.server_port}", None)
         _Busy.left = 2
-        assert session.wait(timeout=5) == "success"
+        assert session.wait(timeout=60) == "success"
         _Busy.left = 2
         assert session.time == 3
         _Busy.left = 1000

@@ -79,6 +79,8 @@ class LauncherIT {
             [ -z "$NODE_ENV" ] || { echo "npm error What is built depends on NODE_ENV=$NODE_ENV"; exit 1; }
             echo "$3 $4" >> "$2/../../builds"
             if [ -e "$2/broken" ]; then echo "npm error code EUSAGE"; yes "npm error" | head -n 40; exit 1; fi
+            if [ -e "$2/broken-$4" ]; then echo "npm error code EBROKEN"; exit 1; fi
+            if [ -e "$2/slow-$4" ]; then echo $$ > "$2/new"; mv "$2/new" "$2/began"; sleep 60; fi
             case "$3" in
                 ci) mkdir -p "$2/node_modules"; touch "$2/node_modules/.package-lock.json";;
                 run)
@@ -369,6 +371,42 @@ class LauncherIT {
 
         assertThat(run("test").err()).doesNotContain("Fetching the page's libraries");
         assertThat(builds()).containsOnlyOnce("ci --no-audit").contains("run build", "run types", "run lint");
+    }
+
+    @Test
+    void checksOfThePageAreMadeOnceBesideJavaAndCounted() throws Exception {
+        Files.writeString(project.resolve("report.xml"), "<testsuite name=\"rsal.A\" tests=\"2\"/>");
+        layOutPage("#!/bin/sh\n");
+        Files.createFile(project.resolve("apps/web/broken-lint"));
+
+        Ended ended = run("test");
+
+        assertThat(ended.code()).isEqualTo(1);
+        assertThat(ended.out()).isEqualTo("2 passed, 1 failed\n");
+        assertThat(ended.err())
+                .containsOnlyOnce("Page: checks and tests FAILED")
+                .contains("EBROKEN");
+        assertThat(builds()).containsOnlyOnce("run lint");
+        assertThat(project.resolve("target/launcher/build.log")).content().contains("EBROKEN");
+    }
+
+    @Test
+    void aSignalEndsWhatRunsBesideJava() throws Exception {
+        Files.writeString(project.resolve("report.xml"), "<testsuite name=\"rsal.A\" tests=\"2\"/>");
+        layOutPage("#!/bin/sh\n");
+        Path web = project.resolve("apps/web");
+        Files.createFile(web.resolve("slow-lint"));
+        Process launcher = start(project, "./rsal", "test");
+        while (!Files.exists(web.resolve("began"))) {
+            assertThat(launcher.waitFor(10, TimeUnit.MILLISECONDS)).isFalse();
+        }
+        long npm = Long.parseLong(Files.readString(web.resolve("began")).strip());
+
+        Ended.signal("TERM", launcher);
+
+        assertThat(Ended.of(launcher).code()).isEqualTo(143);
+        var gone = ProcessHandle.of(npm).map(ProcessHandle::onExit);
+        assertThat(gone.orElse(CompletableFuture.completedFuture(null))).succeedsWithin(PATIENCE);
     }
 
     @Test

@@ -21,14 +21,21 @@ final class PlayerMap extends PlayerSensor<OccupancyGrid> implements Mapper {
 
     private final RemoteServer server;
     private final Scheduler scheduler;
+    private final Duration again;
     private @Nullable Object reading; // under way
     private Instant begun = Instant.MIN; // the newest one
     private Instant due = Instant.MAX;
 
     PlayerMap(DeviceInfo info, Address address, RemoteServer server, Scheduler scheduler) {
+        this(info, address, server, scheduler, AGAIN);
+    }
+
+    /// @param again when it is asked for again that could not be read
+    PlayerMap(DeviceInfo info, Address address, RemoteServer server, Scheduler scheduler, Duration again) {
         super(info, address, "map");
         this.server = server;
         this.scheduler = scheduler;
+        this.again = again;
     }
 
     @Override
@@ -56,7 +63,7 @@ final class PlayerMap extends PlayerSensor<OccupancyGrid> implements Mapper {
                 publish(begun, map);
             } else {
                 health(new Health.Lost("Its map can't be read: " + RemoteServer.words(error)));
-                due = scheduler.instant().plus(AGAIN);
+                due = scheduler.instant().plus(again);
             }
         });
     }

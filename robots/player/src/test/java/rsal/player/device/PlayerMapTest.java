@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -36,6 +37,8 @@ class PlayerMapTest extends ScriptedBench {
     private static final Address MAP = Address.of(Interface.MAP.code(), 0);
     private static final byte[] VALUES = {-1, 0, 1};
 
+    private static final Duration AGAIN = Duration.ofMillis(200);
+
     private PlayerMap map;
 
     PlayerMapTest() {
@@ -50,7 +53,7 @@ class PlayerMapTest extends ScriptedBench {
     private void begin() throws IOException {
         awaitKnown();
         run(() -> {
-            map = new PlayerMap(info("map"), MAP, remote, time);
+            map = new PlayerMap(info("map"), MAP, remote, time, AGAIN);
             remote.add(map);
         });
         start();
