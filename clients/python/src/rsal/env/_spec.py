@@ -80,6 +80,27 @@ class Observe:
         }
 
     @staticmethod
+    def messages(
+        topic: str, fields: Sequence[str], *, source: str = "", newest: int = 1, reach: float = 100.0
+    ) -> Words:
+        """Observe numbers of the newest messages of a topic that the learner's agent has heard, the newest first.
+
+        ``fields`` name numbers in a message, as ``["map_from_base.x", "map_from_base.y"]`` of the topic ``pose``, or
+        keys of dicts. Numbers beyond ``reach`` count as this one, flags as 0 or 1, and what a message leaves out as 0.
+        After them come how long ago it was said [s], at most 1000, and 1 if there is such a message.
+
+        ``source`` is the name or role of an agent or of its robot, whose messages alone count. By default all count.
+        """
+        return {
+            "type": "messages",
+            "topic": topic,
+            "fields": fields if isinstance(fields, str) else " ".join(fields),
+            "from": source,
+            "newest": newest,
+            "max": reach,
+        }
+
+    @staticmethod
     def slot(leader: int, slots: str, *, reach: float = 10.0) -> Words:
         """Observe the robot's own slot in a formation: x and y in the base frame [m], and what it sees of the leader.
 

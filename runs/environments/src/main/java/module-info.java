@@ -24,6 +24,7 @@ module rsal.environments {
             rsal.environment.VelocityObservation,
             rsal.environment.NearestObservation,
             rsal.environment.MarkersObservation,
+            rsal.environment.MessagesObservation,
             rsal.environment.GripperObservation,
             rsal.environment.HomeObservation,
             rsal.environment.SlotObservation,

@@ -1,6 +1,7 @@
 package rsal.environment;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.Agent;
@@ -14,13 +15,21 @@ import rsal.robot.Robot;
 public final class Learner implements Agent {
     private static final Duration PERIOD = Duration.ofMillis(200); // less than the usual watchdog, 0.5 s
 
+    private final List<LearnerObservation> observations;
+    private List<LearnerObservation.Maker> makers = List.of();
     private @Nullable AgentContext self;
     private @Nullable Twist2d velocity;
     private boolean ended;
 
+    /// @param observations what it observes
+    Learner(List<LearnerObservation> observations) {
+        this.observations = observations;
+    }
+
     @Override
     public void start(AgentContext self) {
         this.self = self;
+        makers = observations.stream().map(each -> each.listen(self)).toList();
         self.scheduler().every(PERIOD, this::repeat);
         self.atEnd(() -> ended = true);
     }
@@ -35,6 +44,14 @@ public final class Learner implements Agent {
         return Objects.requireNonNull(self, "A learner has a robot when it has started.")
                 .robot()
                 .orElseThrow();
+    }
+
+    /// What reads its observations, one for each.
+    ///
+    /// @throws IllegalArgumentException when the robot lacks what one needs
+    List<LearnerObservation.Reader> readers(Truth world) {
+        Robot robot = robot();
+        return makers.stream().map(each -> each.of(robot, world)).toList();
     }
 
     /// Drives at a velocity from now on, until the next call.
