@@ -125,6 +125,15 @@ class Observe:
         return {"type": "gripper"}
 
     @staticmethod
+    def goal() -> Words:
+        """Observe the newest goal of the robot's navigator, which :meth:`Act.goal` or :meth:`Act.place` has set.
+
+        Four numbers, 1 if so: it is under way, it is reached, no path leads there, it was given up. Before the first
+        goal, all are 0. A robot gives up a goal that it does not get nearer to for too long.
+        """
+        return {"type": "goal"}
+
+    @staticmethod
     def idleness(places: str, *, role: str = "", radius: float = 1.0, most: float = 1000.0) -> Words:
         """Observe places by the truth: x and y in the base frame [m], and for how many steps nobody was there.
 
@@ -151,7 +160,10 @@ class Act:
 
     @staticmethod
     def goal(*, reach: float = 3.0) -> Words:
-        """Send the robot's navigator to a position in the base frame [m], at most ``reach`` along each axis."""
+        """Send the robot's navigator to a position in the base frame [m], at most ``reach`` along each axis.
+
+        :meth:`Observe.goal` tells what becomes of it.
+        """
         return {"type": "goal", "reach": reach}
 
     @staticmethod
@@ -161,7 +173,10 @@ class Act:
 
     @staticmethod
     def place(places: str) -> Words:
-        """Send the robot's navigator to one of some places of the map, ``"2 3; 4 -1"``."""
+        """Send the robot's navigator to one of some places of the map, ``"2 3; 4 -1"``.
+
+        :meth:`Observe.goal` tells what becomes of it.
+        """
         return {"type": "place", "places": places}
 
 

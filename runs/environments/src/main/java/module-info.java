@@ -25,6 +25,7 @@ module rsal.environments {
             rsal.environment.NearestObservation,
             rsal.environment.MarkersObservation,
             rsal.environment.MessagesObservation,
+            rsal.environment.GoalObservation,
             rsal.environment.GripperObservation,
             rsal.environment.HomeObservation,
             rsal.environment.SlotObservation,

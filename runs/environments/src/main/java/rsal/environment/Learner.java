@@ -6,8 +6,10 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.Agent;
 import rsal.agent.AgentContext;
+import rsal.data.Pose2d;
 import rsal.data.Twist2d;
 import rsal.device.DriveBase;
+import rsal.device.Navigator;
 import rsal.robot.Robot;
 
 /// The agent of a robot that a program outside drives. It repeats the newest velocity, so that the robot's watchdog
@@ -20,6 +22,19 @@ public final class Learner implements Agent {
     private @Nullable AgentContext self;
     private @Nullable Twist2d velocity;
     private boolean ended;
+    private int goals; // so far
+    private GoalState goal = GoalState.NONE;
+
+    /// What became of the newest goal.
+    enum GoalState {
+        NONE,
+        UNDER_WAY,
+        REACHED,
+        /// No path leads there.
+        NO_PATH,
+        /// It got no nearer for too long, or somebody else has canceled it.
+        GIVEN_UP
+    }
 
     /// @param observations what it observes
     Learner(List<LearnerObservation> observations) {
@@ -29,7 +44,7 @@ public final class Learner implements Agent {
     @Override
     public void start(AgentContext self) {
         this.self = self;
-        makers = observations.stream().map(each -> each.listen(self)).toList();
+        makers = observations.stream().map(each -> each.listen(this, self)).toList();
         self.scheduler().every(PERIOD, this::repeat);
         self.atEnd(() -> ended = true);
     }
@@ -58,6 +73,26 @@ public final class Learner implements Agent {
     public void drive(Twist2d baseVelocity) {
         velocity = baseVelocity;
         run(this::repeat);
+    }
+
+    /// Sends the navigator to a pose in the map. In the agent's turn.
+    void goTo(Navigator navigator, Pose2d mapFromGoal, Navigator.Tolerance tolerance) {
+        int number = ++goals;
+        goal = GoalState.UNDER_WAY;
+        navigator.goTo(mapFromGoal, tolerance).result().thenAccept(result -> {
+            if (number == goals) {
+                goal = switch (result) {
+                    case Navigator.Result.Reached _ -> GoalState.REACHED;
+                    case Navigator.Result.NoPath _ -> GoalState.NO_PATH;
+                    case Navigator.Result.Stuck _, Navigator.Result.Cancelled _ -> GoalState.GIVEN_UP;
+                };
+            }
+        });
+    }
+
+    /// What became of the newest goal; `NONE` before the first one.
+    GoalState goal() {
+        return goal;
     }
 
     /// Does something in the agent's turn, before time passes.

@@ -22,7 +22,9 @@ public interface LearnerObservation {
 
     /// Begins to hear what its numbers are made of, for one learner. On the lane of the learner's agent, at its start.
     /// Most have nothing to hear: they read devices and the truth.
-    default Maker listen(AgentContext self) {
+    ///
+    /// @param self what the learner's agent was given at its start
+    default Maker listen(Learner learner, AgentContext self) {
         return this::of;
     }
 

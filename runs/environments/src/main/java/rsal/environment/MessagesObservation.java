@@ -105,7 +105,7 @@ public final class MessagesObservation implements ObservationType {
         }
 
         @Override
-        public Maker listen(AgentContext self) {
+        public Maker listen(Learner learner, AgentContext self) {
             var heard = new Heard(this, self);
             heard.subscribe(topic);
             return (robot, world) -> heard;
