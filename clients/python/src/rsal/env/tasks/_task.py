@@ -257,6 +257,9 @@ def make(task: str, **parameters: Any) -> Team:
     return _known(task).gym_env(**parameters)
 
 
+vars(make)["metadata"] = {"render_modes": ["rgb_array"]}  # so that Gymnasium shows pictures in a window of its own
+
+
 def make_vec(task: str, num_envs: int = 1, *, render_mode: str | None = None, **parameters: Any) -> TeamVector:
     """Make many worlds of a task a vector environment of Gymnasium, by its name.
 

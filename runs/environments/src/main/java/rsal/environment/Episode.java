@@ -89,8 +89,12 @@ public final class Episode implements Truth, AutoCloseable {
     /// What does not change from episode to episode, unless the scenario draws how many robots there are.
     public Blueprint.Layout layout() {
         var roles = new LinkedHashMap<String, String>();
-        plan.robots().stream().map(PlannedRobot::spec).forEach(robot -> roles.put(robot.id(), robot.role()));
-        return new Blueprint.Layout(learnerIds, roles, plan.step().toNanos() / 1e9 * blueprint.steps());
+        var colors = new LinkedHashMap<String, String>();
+        plan.robots().stream().map(PlannedRobot::spec).forEach(robot -> {
+            roles.put(robot.id(), robot.role());
+            colors.put(robot.id(), robot.color());
+        });
+        return new Blueprint.Layout(learnerIds, roles, colors, plan.step().toNanos() / 1e9 * blueprint.steps());
     }
 
     /// Checks what a step would do. Does nothing once it is over.
