@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 from gymnasium import spaces
-from gymnasium.vector import AutoresetMode, VectorEnv
+from gymnasium import vector as vectors
+from gymnasium.vector import VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from rsal.env._single import repeated
@@ -33,10 +34,10 @@ class TeamVector(VectorEnv[Floats, Any, Any]):
     def __init__(self, worlds: VectorScenario) -> None:
         self._worlds = worlds
         self.num_envs = worlds.num_envs
-        self.metadata = {
-            "render_modes": [],
-            "autoreset_mode": AutoresetMode.NEXT_STEP if worlds.autoreset else AutoresetMode.DISABLED,
-        }
+        self.metadata = {"render_modes": []}
+        if hasattr(vectors, "AutoresetMode"):  # since Gymnasium 1.1; in 1.0, all vectors begin in the next step
+            modes = vectors.AutoresetMode
+            self.metadata["autoreset_mode"] = modes.NEXT_STEP if worlds.autoreset else modes.DISABLED
         self._single: tuple[spaces.Space[Any], spaces.Space[Any]] | None = None
         self._all: tuple[spaces.Space[Any], spaces.Space[Any]] | None = None
 
