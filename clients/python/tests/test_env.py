@@ -6,6 +6,7 @@ import gc
 import os
 import pickle
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -185,11 +186,25 @@ def test_it_draws_itself(parallel: env.ParallelScenario) -> None:
     assert picture is not None
     assert picture.dtype == np.uint8
     assert picture.shape[2] == 3
-    assert (picture == (31, 119, 180)).all(2).sum() > 30, "learners are blue"
+    for robot, color in parallel.layout.colors.items():
+        assert (picture == tuple(bytes.fromhex(color[1:]))).all(2).sum() > 30, f"{robot} has its color of the page"
     parallel.step({agent: np.array([0.5, 0]) for agent in parallel.agents})
     moved = parallel.render()
     assert moved is not None
     assert not np.array_equal(moved, picture)
+
+
+def test_colors_are_those_of_the_scenario(scenario: str) -> None:
+    file = Path(scenario)
+    text = file.read_text(encoding="utf-8").replace("other: {", "other: {color: '#12ab34', ")
+    file.write_text(text, encoding="utf-8")
+    made = env.single_env(scenario, learners="other", render_mode="rgb_array")
+    made.reset(seed=1)
+    assert made.layout.colors["other"] == "#12ab34"
+    assert len({made.layout.colors[robot] for robot in ("learner-1", "learner-2")}) == 1
+    made.close()
+    with pytest.raises(RsalError, match=r"render_mode 'human'.*'rgb_array'"):
+        env.parallel_env(scenario, learners="learner", render_mode="human")
 
 
 def test_it_goes_through_pickle_without_its_process(scenario: str) -> None:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import copy
+import inspect
 import pickle
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -213,6 +215,22 @@ try:
 except rsal.RsalError as error:
     print(error)
 """
+
+
+def test_all_kinds_of_environments_have_the_same_parameters() -> None:
+    """They are written out in each signature, as people read them in their editors."""
+
+    makers: list[Callable[..., object]] = [env.parallel_env, env.single_env, env.make_vec]
+    parallel, single, vector = (inspect.signature(maker).parameters for maker in makers)
+    assert parallel.keys() - single.keys() == {"leave"}
+    assert parallel.keys() - vector.keys() == {"leave", "render_mode"}
+    assert single.keys() - parallel.keys() == set()
+    assert vector.keys() - parallel.keys() == {"num_envs", "threads", "autoreset"}
+    for other in (single, vector):
+        for name in other.keys() & parallel.keys():
+            assert other[name] == parallel[name]
+        shared = [name for name in parallel if name in other]
+        assert shared == [name for name in other if name in parallel]
 
 
 def test_many_worlds_need_numpy_only() -> None:

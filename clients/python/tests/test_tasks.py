@@ -38,6 +38,21 @@ def test_gymnasium_accepts_it(name: str) -> None:
     made.close()
 
 
+def test_gymnasium_shows_pictures_in_a_window(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("pygame", reason="pygame is not installed")
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")  # a window that nobody sees
+    made: Any = gymnasium.make("rsal/Formation-v0", render_mode="human", **_short(TASKS["Formation"]))
+    made.reset(seed=1)
+    made.step(made.action_space.sample())
+    window = made.screen_size
+    made.close()
+    alone = gymnasium.make("rsal/Formation-v0", render_mode="rgb_array")
+    alone.reset(seed=1)
+    picture: Any = alone.render()
+    alone.close()
+    assert window == picture.shape[1::-1]
+
+
 def test_pettingzoo_accepts_it() -> None:
     task = TASKS["Pursuit"]
     team = task.parallel_env(**_short(task))

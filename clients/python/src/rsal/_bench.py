@@ -1,4 +1,7 @@
-"""What ``rsal bench python`` measures in Python. Prints a line of JSON for each row that was measured or left out."""
+"""What ``rsal bench python`` measures in Python. Prints a line of JSON for each row that was measured or left out.
+
+Nothing else is on stdout: whatever other packages, libraries and child processes print goes to stderr.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,7 @@ import time
 from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 _WARM = 8.0  # s of real time, at least, in which Java compiles
 _WARM_STEPS = 2000  # at least, as Java compiles slowly beside other work
@@ -95,12 +98,15 @@ class Guard(rsal.Agent):
 class Bench:
     """Measures the rows that are wanted, in a folder for its files."""
 
-    def __init__(self, wanted: list[str], repeats: int, episodes: int, command: list[str], folder: Path) -> None:
+    def __init__(
+        self, wanted: list[str], repeats: int, episodes: int, *, command: list[str], folder: Path, results: TextIO
+    ) -> None:
         self._wanted = wanted
         self._repeats = repeats
         self._episodes = episodes
         self._command = command
         self._folder = folder
+        self._results = results
 
     def wants(self, *names: str) -> bool:
         """Whether one of these rows is to be measured."""
@@ -109,12 +115,15 @@ class Bench:
     def tell(self, name: str, *values: float) -> None:
         """Tell what was measured, if it is wanted."""
         if name in self._wanted:
-            _say(name=name, values=[float(value) for value in values])
+            self._say(name=name, values=[float(value) for value in values])
 
     def leave_out(self, name: str, why: str) -> None:
         """Tell why something is not measured, if it is wanted."""
         if name in self._wanted:
-            _say(name=name, note=why)
+            self._say(name=name, note=why)
+
+    def _say(self, **words: Any) -> None:
+        print(json.dumps(words), file=self._results, flush=True)
 
     def file(self, name: str, text: str) -> str:
         """Write a file, and return its name."""
@@ -384,12 +393,24 @@ def _environment() -> dict[str, str]:
     return {**os.environ, "RSAL_PYTHON": sys.executable}
 
 
-def _say(**words: Any) -> None:
-    print(json.dumps(words), flush=True)
+def _own_stdout() -> TextIO:
+    """Return stdout, which from now on nobody else has: what others print goes to stderr."""
+    own = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    sys.stdout.flush()
+    os.dup2(2, 1)
+    return own
 
 
 def main() -> None:
     """Measure what the JSON on stdin says."""
     given = json.load(sys.stdin)
-    with tempfile.TemporaryDirectory(prefix="rsal-bench-") as folder:
-        Bench(given["wanted"], given["repeats"], given["episodes"], given["command"], Path(folder)).measure()
+    os.environ["MPLBACKEND"] = "Agg"  # else matplotlib may open windows
+    with _own_stdout() as results, tempfile.TemporaryDirectory(prefix="rsal-bench-") as folder:
+        Bench(
+            given["wanted"],
+            given["repeats"],
+            given["episodes"],
+            command=given["command"],
+            folder=Path(folder),
+            results=results,
+        ).measure()

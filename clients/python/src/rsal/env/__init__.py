@@ -17,6 +17,7 @@ _missing = ""
 try:
     from rsal.env._parallel import ParallelScenario, parallel_env
     from rsal.env._single import SingleScenario, single_env
+    from rsal.env._team_vector import TeamVector
     from rsal.env.tasks import TASKS  # Gymnasium knows them from then on
 except ModuleNotFoundError as error:
     if error.name not in ("gymnasium", "pettingzoo"):
@@ -33,6 +34,7 @@ __all__ = [
     "RsalCrashed",
     "Rules",
     "SingleScenario",
+    "TeamVector",
     "VectorScenario",
     "View",
     "make_vec",

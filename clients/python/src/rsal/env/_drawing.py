@@ -11,7 +11,6 @@ from rsal.launch import RsalError
 
 _WIDTH = 800  # pixels, at most
 _BACKGROUND, _WALL, _UNKNOWN = (255, 255, 255), (40, 44, 52), (205, 205, 205)
-_COLORS = ((31, 119, 180), (214, 39, 40), (44, 160, 44), (255, 127, 14), (148, 103, 189), (140, 86, 75))
 _RADIUS = 0.3  # m
 _LEAST = 4  # pixels
 
@@ -22,6 +21,11 @@ class Pictures:
     """What an environment with one world shows of itself."""
 
     def __init__(self, episodes: Episodes, render_mode: str | None) -> None:
+        if render_mode == "human":
+            raise RsalError(
+                "render_mode 'human' would need a window, and this environment opens none. Use 'rgb_array', whose "
+                "pictures render() returns; for those of gymnasium.make, Gymnasium shows them in a window of pygame."
+            )
         if render_mode not in (None, "rgb_array"):
             raise RsalError(f"render_mode must be 'rgb_array' or None, not '{render_mode}'.")
         self._episodes = episodes
@@ -39,7 +43,7 @@ class Pictures:
 
 
 class Drawing:
-    """Draws robots on the map of their world: by roles in colors, learners with a dark rim."""
+    """Draws robots on the map of their world: in their colors of the page, learners with a dark rim."""
 
     def __init__(self, worlds: Worlds) -> None:
         cells, resolution, self._origin = worlds.map()
@@ -57,8 +61,7 @@ class Drawing:
         self._floor: Picture = np.ascontiguousarray(shown[::-1].repeat(grow, 0).repeat(grow, 1))
         self._scale = grow / (resolution * shrink)  # pixels per m
         layout = worlds.layout
-        roles = list(dict.fromkeys(layout.robots.values()))
-        self._colors = [_COLORS[roles.index(role) % len(_COLORS)] for role in layout.robots.values()]
+        self._colors = [_channels(layout.colors[robot]) for robot in layout.robots]
         self._learns = [robot in layout.learners for robot in layout.robots]
 
     def draw(self, poses: npt.NDArray[np.float32]) -> Picture:
@@ -74,6 +77,12 @@ class Drawing:
             nose = 0.6 * radius
             _disc(picture, column + nose * np.cos(theta), row - nose * np.sin(theta), 0.3 * radius, (255, 255, 255))
         return picture
+
+
+def _channels(color: str) -> tuple[int, int, int]:
+    """Return red, green and blue of ``#rrggbb``."""
+    red, green, blue = bytes.fromhex(color.removeprefix("#"))
+    return red, green, blue
 
 
 def _disc(picture: Picture, column: float, row: float, radius: float, color: tuple[int, int, int]) -> None:

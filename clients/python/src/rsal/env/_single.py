@@ -43,7 +43,7 @@ class OneAgent(gymnasium.Env[Floats, Any]):
         if self._spaces is None:
             layout = self.layout
             count = len(layout.learners)
-            self._spaces = _repeated(observation_space(layout), count), _repeated(action_space(layout), count)
+            self._spaces = repeated(observation_space(layout), count), repeated(action_space(layout), count)
         return self._spaces
 
     @property
@@ -96,7 +96,8 @@ class OneAgent(gymnasium.Env[Floats, Any]):
         self._episodes.close()
 
 
-def _repeated(space: spaces.Space[Any], count: int) -> spaces.Space[Any]:
+def repeated(space: spaces.Space[Any], count: int) -> spaces.Space[Any]:
+    """Return the space of several robots, one after the other."""
     if count == 1:
         return space
     if isinstance(space, spaces.Box):

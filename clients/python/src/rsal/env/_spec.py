@@ -80,6 +80,27 @@ class Observe:
         }
 
     @staticmethod
+    def messages(
+        topic: str, fields: Sequence[str], *, source: str = "", newest: int = 1, reach: float = 100.0
+    ) -> Words:
+        """Observe numbers of the newest messages of a topic that the learner's agent has heard, the newest first.
+
+        ``fields`` name numbers in a message, as ``["map_from_base.x", "map_from_base.y"]`` of the topic ``pose``, or
+        keys of dicts. Numbers beyond ``reach`` count as this one, flags as 0 or 1, and what a message leaves out as 0.
+        After them come how long ago it was said [s], at most 1000, and 1 if there is such a message.
+
+        ``source`` is the name or role of an agent or of its robot, whose messages alone count. By default all count.
+        """
+        return {
+            "type": "messages",
+            "topic": topic,
+            "fields": fields if isinstance(fields, str) else " ".join(fields),
+            "from": source,
+            "newest": newest,
+            "max": reach,
+        }
+
+    @staticmethod
     def slot(leader: int, slots: str, *, reach: float = 10.0) -> Words:
         """Observe the robot's own slot in a formation: x and y in the base frame [m], and what it sees of the leader.
 
@@ -102,6 +123,15 @@ class Observe:
     def gripper() -> Words:
         """Observe whether the gripper holds something: 1 if so."""
         return {"type": "gripper"}
+
+    @staticmethod
+    def goal() -> Words:
+        """Observe the newest goal of the robot's navigator, which :meth:`Act.goal` or :meth:`Act.place` has set.
+
+        Four numbers, 1 if so: it is under way, it is reached, no path leads there, it was given up. Before the first
+        goal, all are 0. A robot gives up a goal that it does not get nearer to for too long.
+        """
+        return {"type": "goal"}
 
     @staticmethod
     def idleness(places: str, *, role: str = "", radius: float = 1.0, most: float = 1000.0) -> Words:
@@ -130,7 +160,10 @@ class Act:
 
     @staticmethod
     def goal(*, reach: float = 3.0) -> Words:
-        """Send the robot's navigator to a position in the base frame [m], at most ``reach`` along each axis."""
+        """Send the robot's navigator to a position in the base frame [m], at most ``reach`` along each axis.
+
+        :meth:`Observe.goal` tells what becomes of it.
+        """
         return {"type": "goal", "reach": reach}
 
     @staticmethod
@@ -140,7 +173,10 @@ class Act:
 
     @staticmethod
     def place(places: str) -> Words:
-        """Send the robot's navigator to one of some places of the map, ``"2 3; 4 -1"``."""
+        """Send the robot's navigator to one of some places of the map, ``"2 3; 4 -1"``.
+
+        :meth:`Observe.goal` tells what becomes of it.
+        """
         return {"type": "place", "places": places}
 
 

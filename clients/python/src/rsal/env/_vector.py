@@ -21,7 +21,8 @@ class VectorScenario:
     That step gives its first observations and no reward, whatever its action is: ``AutoresetMode.NEXT_STEP`` of
     Gymnasium. Without ``autoreset``, such a world gives no reward and stays over until the next reset.
 
-    This is no ``gymnasium.vector.VectorEnv``, whose worlds have one learner: rewards are by world and learner here.
+    This is no ``gymnasium.vector.VectorEnv``, whose worlds have one agent each: rewards are by world and learner here.
+    :class:`TeamVector` makes it one.
     """
 
     def __init__(
@@ -34,7 +35,8 @@ class VectorScenario:
         max_steps: int | None = None,
         autoreset: bool = True,
     ) -> None:
-        self._autoreset = autoreset
+        self.autoreset = autoreset
+        """Whether a world whose episode has ended begins another one in the next step."""
         self._episodes = Episodes(spec, num_envs, threads, reward, max_steps)
         self.num_envs = self._episodes.count
         self._ended = np.zeros(self.num_envs, bool)
@@ -97,10 +99,10 @@ class VectorScenario:
         ``episodes``: outcome, seconds, metrics and event hash of those that have ended, by world.
         """
         before = self._ended
-        done = self._episodes.step(actions, ended_too=self._autoreset)
+        done = self._episodes.step(actions, ended_too=self.autoreset)
         observations, rewards = done.observations, done.rewards
         terminated, truncated, endings = done.terminated, done.truncated, done.endings
-        again = [int(world) for world in np.flatnonzero(before)] if self._autoreset else []
+        again = [int(world) for world in np.flatnonzero(before)] if self.autoreset else []
         if again:
             observations = self._episodes.restart(again)
             rewards[again] = 0

@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import weakref
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import IO, Any, BinaryIO, cast
 
 import numpy as np
@@ -57,6 +57,8 @@ class Layout:
     """Number of choices; 0 for actions of continuous numbers."""
     metrics: tuple[str, ...] = ()
     """Names of the scenario's metrics."""
+    colors: dict[str, str] = field(default_factory=dict)
+    """Colors of all robots as on the page, by id: ``#rrggbb``."""
 
 
 class Worlds:
@@ -105,6 +107,7 @@ class Worlds:
             action_high=np.array(words["actionHigh"], np.float32),
             choices=words["choices"],
             metrics=tuple(words["metrics"]),
+            colors=dict(words["colors"]),
         )
         learners, robots = len(self.layout.learners), len(self.layout.robots)
         self._observed = (self.count, learners, len(self.layout.fields))

@@ -24,6 +24,8 @@ module rsal.environments {
             rsal.environment.VelocityObservation,
             rsal.environment.NearestObservation,
             rsal.environment.MarkersObservation,
+            rsal.environment.MessagesObservation,
+            rsal.environment.GoalObservation,
             rsal.environment.GripperObservation,
             rsal.environment.HomeObservation,
             rsal.environment.SlotObservation,

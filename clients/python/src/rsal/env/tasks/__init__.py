@@ -12,7 +12,7 @@ from rsal.env.tasks._formation import FORMATION
 from rsal.env.tasks._navigation import NAVIGATION
 from rsal.env.tasks._patrol import PATROL
 from rsal.env.tasks._pursuit import PURSUIT
-from rsal.env.tasks._task import Policy, Task, Team, make, register
+from rsal.env.tasks._task import Policy, Task, Team, make, make_vec, register
 
 TASKS: dict[str, Task] = {task.name: task for task in (NAVIGATION, PURSUIT, COVERAGE, FORMATION, FORAGING, PATROL)}
 """All tasks, by name."""
@@ -31,4 +31,5 @@ __all__ = [
     "Task",
     "Team",
     "make",
+    "make_vec",
 ]

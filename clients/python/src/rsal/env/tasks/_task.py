@@ -17,6 +17,7 @@ from rsal.env._episodes import Episodes
 from rsal.env._parallel import ParallelScenario
 from rsal.env._single import OneAgent
 from rsal.env._spec import Spec, Words
+from rsal.env._team_vector import TeamVector
 from rsal.env._vector import VectorScenario
 from rsal.env._view import Rules
 from rsal.env._worlds import Floats
@@ -128,6 +129,22 @@ class Task:
         """Make it an environment of Gymnasium, in which one agent acts for all robots that learn."""
         return Team(self, self.spec(configuration, arguments), max_steps or self.max_steps, render_mode)
 
+    def gym_vec(
+        self,
+        num_envs: int,
+        *,
+        configuration: str | None = None,
+        arguments: Mapping[str, Any] | None = None,
+        max_steps: int | None = None,
+        threads: int | None = None,
+    ) -> TeamVector:
+        """Make many worlds of it at once for Gymnasium, in each of which one agent acts for all robots that learn."""
+        return TeamVector(
+            self.make_vec(
+                num_envs, configuration=configuration, arguments=arguments, max_steps=max_steps, threads=threads
+            )
+        )
+
     def make_vec(
         self,
         num_envs: int,
@@ -224,7 +241,12 @@ def register(tasks: Mapping[str, Task]) -> None:
     _KNOWN.update(tasks)
     for name in tasks:
         if f"rsal/{name}-v0" not in gymnasium.registry:
-            gymnasium.register(id=f"rsal/{name}-v0", entry_point="rsal.env.tasks:make", kwargs={"task": name})
+            gymnasium.register(
+                id=f"rsal/{name}-v0",
+                entry_point="rsal.env.tasks:make",
+                vector_entry_point="rsal.env.tasks:make_vec",
+                kwargs={"task": name},
+            )
 
 
 def make(task: str, **parameters: Any) -> Team:
@@ -232,7 +254,27 @@ def make(task: str, **parameters: Any) -> Team:
 
     :param parameters: those of :meth:`Task.gym_env`
     """
+    return _known(task).gym_env(**parameters)
+
+
+vars(make)["metadata"] = {"render_modes": ["rgb_array"]}  # so that Gymnasium shows pictures in a window of its own
+
+
+def make_vec(task: str, num_envs: int = 1, *, render_mode: str | None = None, **parameters: Any) -> TeamVector:
+    """Make many worlds of a task a vector environment of Gymnasium, by its name.
+
+    :param parameters: those of :meth:`Task.gym_vec`
+    """
+    if render_mode is not None:
+        raise RsalError(
+            f"Many worlds at once have no pictures, so 'render_mode' cannot be '{render_mode}'. Try "
+            "gymnasium.make_vec(…, vectorization_mode='sync'), which makes each world an environment of its own."
+        )
+    return _known(task).gym_vec(num_envs, **parameters)
+
+
+def _known(task: str) -> Task:
     known = _KNOWN.get(task)
     if known is None:
         raise RsalError(f"There is no task '{task}'. Tasks are {', '.join(_KNOWN)}.")
-    return known.gym_env(**parameters)
+    return known

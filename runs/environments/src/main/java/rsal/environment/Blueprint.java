@@ -85,6 +85,8 @@ public record Blueprint(
     ///
     /// @param learners ids of the robots that learn
     /// @param robots roles of all robots, by id
+    /// @param colors of all robots, by id: `#rrggbb`, as on the page
     /// @param period simulated time of a step [s]
-    public record Layout(List<String> learners, Map<String, String> robots, double period) {}
+    public record Layout(
+            List<String> learners, Map<String, String> robots, Map<String, String> colors, double period) {}
 }

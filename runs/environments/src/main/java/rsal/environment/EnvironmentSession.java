@@ -97,6 +97,7 @@ public final class EnvironmentSession implements AutoCloseable {
         var answer = new LinkedHashMap<String, Object>();
         answer.put("learners", layout.learners());
         answer.put("robots", layout.robots());
+        answer.put("colors", layout.colors());
         answer.put("period", layout.period());
         answer.put("fields", fields);
         answer.put("low", low);

@@ -14,7 +14,6 @@ import rsal.device.SimulationControl.Contact;
 import rsal.engine.SteppedRun;
 import rsal.engine.SteppedWatch;
 import rsal.engine.report.RunResult;
-import rsal.robot.Robot;
 import rsal.scenario.RunPlan;
 import rsal.scenario.RunPlan.PlannedRobot;
 
@@ -58,10 +57,7 @@ public final class Episode implements Truth, AutoCloseable {
         this.own = new float[low.length];
         look();
         for (Learner learner : learners) {
-            Robot robot = learner.robot();
-            readers.add(blueprint.observations().stream()
-                    .map(observation -> observation.of(robot, this))
-                    .toList());
+            readers.add(learner.readers(this));
             actors.add(blueprint.action().of(learner));
         }
     }
@@ -78,7 +74,7 @@ public final class Episode implements Truth, AutoCloseable {
 
     /// The same, for somebody who looks whether agents return.
     public static Episode begin(Blueprint blueprint, long seed, SteppedWatch watch) {
-        var type = new LearnerType();
+        var type = new LearnerType(blueprint.observations());
         RunPlan plan = blueprint.plan(seed, type);
         SteppedRun run = SteppedRun.begin(plan, watch);
         try {
@@ -93,8 +89,12 @@ public final class Episode implements Truth, AutoCloseable {
     /// What does not change from episode to episode, unless the scenario draws how many robots there are.
     public Blueprint.Layout layout() {
         var roles = new LinkedHashMap<String, String>();
-        plan.robots().stream().map(PlannedRobot::spec).forEach(robot -> roles.put(robot.id(), robot.role()));
-        return new Blueprint.Layout(learnerIds, roles, plan.step().toNanos() / 1e9 * blueprint.steps());
+        var colors = new LinkedHashMap<String, String>();
+        plan.robots().stream().map(PlannedRobot::spec).forEach(robot -> {
+            roles.put(robot.id(), robot.role());
+            colors.put(robot.id(), robot.color());
+        });
+        return new Blueprint.Layout(learnerIds, roles, colors, plan.step().toNanos() / 1e9 * blueprint.steps());
     }
 
     /// Checks what a step would do. Does nothing once it is over.

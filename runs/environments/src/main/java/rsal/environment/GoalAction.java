@@ -62,7 +62,7 @@ public final class GoalAction implements ActionType {
                 float y = from[at + 1];
                 learner.run(() -> localizer.latest().ifPresent(believed -> {
                     Pose2d mapFromGoal = believed.value().mapFromBase().compose(new Pose2d(x, y, Math.atan2(y, x)));
-                    navigator.goTo(mapFromGoal, Navigator.Tolerance.position(NEAR));
+                    learner.goTo(navigator, mapFromGoal, Navigator.Tolerance.position(NEAR));
                 }));
             };
         }

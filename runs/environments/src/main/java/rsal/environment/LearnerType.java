@@ -16,7 +16,13 @@ import rsal.settings.Parameter;
 final class LearnerType implements AgentType {
     private static final Parameter<String> ROBOT = Parameter.text("robot", "Id of its robot.");
 
+    private final List<LearnerObservation> observations;
     private final Map<String, Learner> byRobot = new LinkedHashMap<>();
+
+    /// @param observations what each of them observes
+    LearnerType(List<LearnerObservation> observations) {
+        this.observations = observations;
+    }
 
     @Override
     public String key() {
@@ -35,7 +41,7 @@ final class LearnerType implements AgentType {
 
     /// Plans the learner of a robot.
     PlannedAgent plan(String robot, long seed) {
-        byRobot.put(robot, new Learner());
+        byRobot.put(robot, new Learner(observations));
         var arguments = Arguments.of(parameters(), Map.of(ROBOT.name(), robot));
         return new PlannedAgent(key() + "-" + robot, key(), this, arguments, Optional.of(robot), seed);
     }

@@ -71,8 +71,8 @@ public final class PlaceAction implements ActionType {
                 if (choice != before[0]) {
                     before[0] = choice;
                     Point2d place = places.get(choice);
-                    learner.run(() ->
-                            navigator.goTo(new Pose2d(place.x(), place.y(), 0), Navigator.Tolerance.position(NEAR)));
+                    learner.run(() -> learner.goTo(
+                            navigator, new Pose2d(place.x(), place.y(), 0), Navigator.Tolerance.position(NEAR)));
                 }
             };
         }

@@ -23,12 +23,10 @@ public final class PolicyObservations implements ObservationService {
         Robot robot = self.robot()
                 .orElseThrow(() -> new IllegalArgumentException(
                         "Agent '%s' needs a robot. Maybe 'robot: ROLE'?".formatted(self.name())));
-        var learner = new Learner();
+        var learner = new Learner(observations);
         learner.start(self);
         var world = new SimulatedTruth(self);
-        List<LearnerObservation.Reader> readers = observations.stream()
-                .map(observation -> observation.of(robot, world))
-                .toList();
+        List<LearnerObservation.Reader> readers = learner.readers(world);
         int[] sizes = observations.stream()
                 .mapToInt(observation -> observation.fields().size())
                 .toArray();
