@@ -3,6 +3,7 @@ package rsal.python;
 import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 
 /// The time in which a process has to answer. When it is over, the process is ended with those that it has started, so
 /// that who reads from it goes on. Close it when there is an answer.
@@ -28,8 +29,10 @@ final class AnswerTime implements AutoCloseable {
         try {
             if (!answered.await(limit.toMillis(), TimeUnit.MILLISECONDS)) {
                 over = true;
-                process.descendants().forEach(ProcessHandle::destroyForcibly); // which hold its pipes
-                process.destroyForcibly();
+                // Itself first, or it would go on once its descendants have ended. These hold its pipes, too.
+                Stream.concat(Stream.of(process.toHandle()), process.descendants())
+                        .toList()
+                        .forEach(ProcessHandle::destroyForcibly);
             }
         } catch (InterruptedException _) {
             Thread.currentThread().interrupt();
