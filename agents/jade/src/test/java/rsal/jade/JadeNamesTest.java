@@ -17,7 +17,7 @@ class JadeNamesTest {
     }
 
     @Test
-    void thoseThatDifferInCaseOnlyAreNotToldApart() {
+    void thoseThatDifferInCaseOnlyAreNotDistinguished() {
         assertThat(jade.nameProblem("bob", List.of("ann", "Bob")).orElseThrow()).contains("'Bob' and 'bob'");
         assertThat(jade.nameProblem("bob", List.of("ann", "bob-1"))).isEmpty();
     }

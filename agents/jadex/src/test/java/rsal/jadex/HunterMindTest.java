@@ -70,7 +70,7 @@ class HunterMindTest {
     }
 
     @Test
-    void tellsOfFaultsOfItsThoughts() throws Exception {
+    void reportsFaultsOfItsThoughts() throws Exception {
         deeds.slips = true;
         deeds.mind.get().knowsPrey(false);
         assertThat(deeds.faults.take())
@@ -80,7 +80,7 @@ class HunterMindTest {
 
     /// Jadex would try one that fails again and again.
     @Test
-    void tellsOfFaultsOfItsPlans() throws Exception {
+    void reportsFaultsOfItsPlans() throws Exception {
         deeds.stumbles = true;
         deeds.mind.get().knowsPrey(true);
         assertThat(deeds.faults.take())

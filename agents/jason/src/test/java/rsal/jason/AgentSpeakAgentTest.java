@@ -451,7 +451,7 @@ class AgentSpeakAgentTest extends RobotBench {
 
     @Test
     @LongTest
-    void theyTellEachOtherHow() {
+    void theyInformEachOtherHow() {
         start("amy", """
                 what("a \\"fine\\" thing").
                 +!cook(What) : what(W) <- .print("cook ", What, " and\\n", W).
@@ -576,7 +576,7 @@ class AgentSpeakAgentTest extends RobotBench {
 
     @Test
     @LongTest
-    void itDrivesAsNearAsItIsTold() {
+    void itDrivesAsNearAsItIsAsked() {
         Pose2d goal = WORLD.pose('a', 0);
         startOnRobot("!go. +!go <- goto_near(%f, %f, 1.5); state(\"near\").".formatted(goal.x(), goal.y()));
         advance(30);
@@ -927,14 +927,14 @@ class AgentSpeakAgentTest extends RobotBench {
                 "+!go : no.                   | No plan for goal 'go' at a.asl:1 applies now.",
                 "+!go <- !x(2). +!x(N) : N>2. | No plan for goal 'x(2)' at a.asl:2 applies now.",
             })
-    void aGoalWithoutAPlanIsToldWithItsPlace(String plans, String words) {
+    void aGoalWithoutAPlanIsReportedWithItsPlace(String plans, String words) {
         start("a", "!wait. !go.\n%s\n+!wait <- .wait(5000).".formatted(plans));
         advance(1);
         assertThat(failure("a")).isEqualTo(words);
     }
 
     @Test
-    void aGoalOfOthersWithoutAPlanIsToldWithWhoAskedForIt() {
+    void aGoalOfOthersWithoutAPlanIsReportedWithWhoAskedForIt() {
         start("a", "!wait.\n+!wait <- .wait(5000).");
         start("amy", "!ask.\n+!ask <- .wait(10); .send(a, achieve, dance(2)).");
         advance(1);
@@ -950,7 +950,7 @@ class AgentSpeakAgentTest extends RobotBench {
     }
 
     @Test
-    void whatGoesWrongInAnInternalActionIsToldOnceWithItsPlaceAndWhy() {
+    void whatGoesWrongInAnInternalActionIsReportedOnceWithItsPlaceAndWhy() {
         start("a", "!wait. !go.\n+!go <- .map.get(5, key, X).\n+!wait <- .wait(5000).");
         advance(1);
         assertThat(failure("a"))

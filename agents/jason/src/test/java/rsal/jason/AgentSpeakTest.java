@@ -137,7 +137,7 @@ class AgentSpeakTest {
     }
 
     @Test
-    void tellsWhatStandsInItsFile() {
+    void reportsWhatStandsInItsFile() {
         AgentOutline outline = Texts.type(Map.of(
                         "a.asl",
                         """
@@ -195,7 +195,7 @@ class AgentSpeakTest {
     }
 
     @Test
-    void allFilesThatAreMissingAreToldAtOnce() {
+    void allFilesThatAreMissingAreReportedAtOnce() {
         refuses(
                 "{ include(\"no.asl\") }\n{ include(\"$jasonJar/x.asl\") }\n{ begin namespace(x) }\na(1).\n{ end }",
                 "a.asl:1:11: There is no file 'no.asl'",
@@ -210,7 +210,7 @@ class AgentSpeakTest {
     }
 
     @Test
-    void errorsAreToldWithFileAndLine() {
+    void errorsAreReportedWithFileAndLine() {
         refuses("!go.\n+!go <- stop\n   .print(1).", "a.asl:3:4: '.print' can't stand here.", "full stop");
         refuses("!go.\n+!go <- stop", "a.asl:2:", "The file ends within");
         refuses("p(1).\n  @#$", "a.asl:2:", "This is not AgentSpeak");
@@ -260,7 +260,7 @@ class AgentSpeakTest {
     }
 
     @Test
-    void errorsOfIncludedFilesAreToldWithTheirs() {
+    void errorsOfIncludedFilesAreReportedWithTheirs() {
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> Texts.type(Map.of("a.asl", "{include(\"b.asl\")}", "b.asl", "p(1")))
                 .withMessageContaining("b.asl:1:");

@@ -67,7 +67,7 @@ class CompilerTest {
             int x = "y";         | 5 | ''
             self.reportAll();   | 5 | ''
             """)
-    void tellsEachErrorWithItsPlaceAndARemedy(String statement, int line, String remedy) {
+    void reportsEachErrorWithItsPlaceAndARemedy(String statement, int line, String remedy) {
         InvalidSettings errors = catchThrowableOfType(InvalidSettings.class, () -> compile("""
                 import rsal.agent.*;
 
@@ -94,7 +94,7 @@ class CompilerTest {
     }
 
     @Test
-    void anErrorInAFileThatItNeedsIsToldThere() throws IOException {
+    void anErrorInAFileThatItNeedsIsReportedThere() throws IOException {
         Files.writeString(folder.resolve("Load.java"), "public record Load(dubble mass) {}");
         InvalidSettings errors =
                 catchThrowableOfType(InvalidSettings.class, () -> compile("public class Mine { Load load; }"));

@@ -160,7 +160,7 @@ class JavaLanguageTest {
     }
 
     @Test
-    void allErrorsAreToldWhereTheyAre() {
+    void allErrorsAreReportedWhereTheyAre() {
         write("Listener.java", LISTENER.replace("subscribe", "subscrib").replace("{});", "{}); int x = \"y\";"));
         List<Problem> errors = errors(() -> read("Listener.java"));
         assertThat(errors).hasSizeGreaterThan(1).allSatisfy(error -> {
@@ -172,7 +172,7 @@ class JavaLanguageTest {
     }
 
     @Test
-    void anErrorInAFileThatItNeedsIsToldThere() {
+    void anErrorInAFileThatItNeedsIsReportedThere() {
         write("Listener.java", LISTENER);
         write("Load.java", LOAD_MESSAGE.replace("double", "dubble"));
         assertThat(errors(() -> read("Listener.java")))
@@ -206,7 +206,7 @@ class JavaLanguageTest {
     }
 
     @Test
-    void aFileThatIsNotThereIsToldWhereItIsNamed() {
+    void aFileThatIsNotThereIsReportedWhereItIsNamed() {
         assertThat(errors(() -> read("Nobody.java")).getFirst().location()).isEqualTo(scenario);
     }
 

@@ -156,7 +156,7 @@ class MessagesTest {
 
     @ParameterizedTest
     @MethodSource("flaws")
-    void whoMakesWhatCantBeIsTold(Flaw flaw) {
+    void whoMakesWhatCantBeIsReported(Flaw flaw) {
         assertThatThrownBy(flaw::make)
                 .isInstanceOfAny(IllegalArgumentException.class, NullPointerException.class)
                 .hasMessageNotContaining("@");

@@ -564,7 +564,7 @@ class BridgeIT {
     }
 
     @Test
-    void whatIsWrongIsToldInASentence() throws Exception {
+    void whatIsWrongIsReportedInASentence() throws Exception {
         Ended unknown = new Rsal(folder).run("bridge", "plaxer");
         assertThat(unknown.code()).isEqualTo(2);
         assertThat(unknown.err()).contains("There is no bridge 'plaxer'. Maybe 'player' was meant?");

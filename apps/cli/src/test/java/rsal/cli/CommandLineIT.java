@@ -354,7 +354,7 @@ class CommandLineIT {
 
     @ParameterizedTest
     @MethodSource("errors")
-    void tellsWhereAScenarioIsWrong(FileError error) throws Exception {
+    void reportsWhereAScenarioIsWrong(FileError error) throws Exception {
         Path file = Files.writeString(folder.resolve("wrong.yaml"), error.in(GUARD));
         Ended run = Rsal.inProcess("run", file.toString(), "--headless");
         Ended validate = Rsal.inProcess("validate", file.toString());
@@ -467,7 +467,7 @@ class CommandLineIT {
             """;
 
     @Test
-    void tellsWhoHeardWhatWhereCommunicationIsLimited() throws Exception {
+    void reportsWhoHeardWhatWhereCommunicationIsLimited() throws Exception {
         Files.writeString(folder.resolve("talk.yaml"), TALK);
         Ended shown = rsal.run("show", "talk.yaml");
         assertThat(shown.out())
@@ -504,7 +504,7 @@ class CommandLineIT {
     }
 
     @Test
-    void tellsPeopleTheResult() throws Exception {
+    void reportsTheResultToPeople() throws Exception {
         Ended ended = headless("--seed", "7");
         assertThat(ended.out()).contains("guard:short, seed 7", "success", "collisions", "event hash");
     }
@@ -517,7 +517,7 @@ class CommandLineIT {
     }
 
     @Test
-    void endsWhenToldForHowLong() throws Exception {
+    void endsAfterTheTimeThatIsGiven() throws Exception {
         Ended ended = headless("--for", "2", "--json");
         JsonNode result = JsonMapper.shared().readTree(ended.out());
         assertThat(ended.code()).isEqualTo(Exit.SUCCESS);
@@ -821,7 +821,7 @@ class CommandLineIT {
     }
 
     @Test
-    void validateTellsAboutEachFile() throws Exception {
+    void validateReportsAboutEachFile() throws Exception {
         Files.writeString(folder.resolve("wrong.yaml"), GUARD.replace("pioneer2dx", "pioneer9"));
         Ended ended = rsal.run("validate", "guard.yaml", "wrong.yaml", "--json");
         JsonNode files = JsonMapper.shared().readTree(ended.out()).get("files");
@@ -837,7 +837,7 @@ class CommandLineIT {
     }
 
     @Test
-    void showTellsWhatIsInAScenario() throws Exception {
+    void showReportsWhatIsInAScenario() throws Exception {
         Ended text = rsal.run("show", "guard.yaml:late");
         JsonNode json = JsonMapper.shared()
                 .readTree(rsal.run("show", "guard.yaml:late", "--json").out());
@@ -851,7 +851,7 @@ class CommandLineIT {
     }
 
     @Test
-    void showTellsWhatIsInAnAgentsFile() throws Exception {
+    void showReportsWhatIsInAnAgentsFile() throws Exception {
         Files.writeString(folder.resolve("sentry.asl"), """
                 // Stands and calls.
                 rest(2). // How long it waits [s].
@@ -891,7 +891,7 @@ class CommandLineIT {
     }
 
     @Test
-    void showTellsWhichScenarioJoins() throws Exception {
+    void showReportsWhichScenarioJoins() throws Exception {
         Ended text = rsal.run("show", "patrol:distributed"); // an agent is called patrol, too
         JsonNode json = JsonMapper.shared()
                 .readTree(rsal.run("show", "patrol:distributed", "--json").out());
@@ -912,7 +912,7 @@ class CommandLineIT {
     }
 
     @Test
-    void showTellsWhatGoesWrong() throws Exception {
+    void showReportsWhatGoesWrong() throws Exception {
         Ended text = rsal.run("show", "hunt-and-prey:faulty");
         JsonNode json = JsonMapper.shared()
                 .readTree(rsal.run("show", "hunt-and-prey:faulty", "--json").out());
@@ -925,14 +925,14 @@ class CommandLineIT {
     }
 
     @Test
-    void showTellsHowDevicesAreMadeOfOthers() throws Exception {
+    void showReportsHowDevicesAreMadeOfOthers() throws Exception {
         Ended text = rsal.run("show", "hunt-and-prey");
         assertThat(text.out())
                 .containsSubsequence("Localizer from DriveBase", "Navigator from DriveBase, RangeSensor, Localizer");
     }
 
     @Test
-    void showTellsWhatCanBeSetOfADriver() throws Exception {
+    void showReportsWhatCanBeSetOfADriver() throws Exception {
         Ended text = rsal.run("show", "amcl");
         assertThat(text.out())
                 .contains("makes a Localizer", "DriveBase, RangeSensor")
@@ -940,7 +940,7 @@ class CommandLineIT {
     }
 
     @Test
-    void showTellsWhatCanBeSetOfAnAgent() throws Exception {
+    void showReportsWhatCanBeSetOfAnAgent() throws Exception {
         Ended ended = rsal.run("show", "follow", "--json");
         JsonNode follow = JsonMapper.shared().readTree(ended.out()).get("found").get(0);
         assertThat(follow.get("kind").stringValue()).isEqualTo("agent");
@@ -1072,7 +1072,7 @@ class CommandLineIT {
     }
 
     @Test
-    void showTellsWhatIsInAWorldAndDrawsIt() throws Exception {
+    void showReportsWhatIsInAWorldAndDrawsIt() throws Exception {
         Files.writeString(folder.resolve("hall.world"), """
                 name "hall"
                 interval_sim 50
@@ -1109,7 +1109,7 @@ class CommandLineIT {
     }
 
     @Test
-    void aWorldWithNothingInItOrWithoutRobotsIsToldOf() throws Exception {
+    void aWorldWithNothingInItOrWithoutRobotsIsReported() throws Exception {
         Files.writeString(folder.resolve("empty.world"), "");
         Files.writeString(folder.resolve("still.world"), "model ( )");
         Files.writeString(folder.resolve("blind.world"), "position ( bumper ( ) )");
@@ -1263,7 +1263,7 @@ class CommandLineIT {
     }
 
     @Test
-    void whatStandsOnActuatorsIsToldAndConverted() throws Exception {
+    void whatStandsOnActuatorsIsReportedAndConverted() throws Exception {
         Files.writeString(folder.resolve("turret.world"), """
                 position ( name "r" ctrl "wander"
                   actuator ( size [0.3 0.1 0.1] type "rotational" start_position 1 max_position 2
@@ -1307,7 +1307,7 @@ class CommandLineIT {
     }
 
     @Test
-    void convertOverwritesNothingUnlessItIsTold() throws Exception {
+    void convertOverwritesNothingUnlessItIsAskedTo() throws Exception {
         writeStageWorld();
         Path image = Files.writeString(folder.resolve("own-1.png"), "precious");
         Ended refused = rsal.run("convert", "hall.world", "own.world.yaml");

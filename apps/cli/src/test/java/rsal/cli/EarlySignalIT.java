@@ -37,7 +37,7 @@ class EarlySignalIT {
     }
 
     @Test
-    void whenItIsToldToBegin() throws Exception {
+    void whenItIsAskedToBegin() throws Exception {
         Process run = started();
         assertThat(run.errorReader().lines().anyMatch(line -> line.startsWith("Running ")))
                 .isTrue();

@@ -66,7 +66,7 @@ class FiguresIT {
     @ParameterizedTest
     @MethodSource("readmes")
     @LongTest
-    void areWhatASweepTells(Path readme) throws Exception {
+    void areWhatASweepReports(Path readme) throws Exception {
         var written = new StringBuilder();
         Matcher block = FIGURES.matcher(text(readme));
         while (block.find()) {

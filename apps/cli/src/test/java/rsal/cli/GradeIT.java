@@ -129,7 +129,7 @@ class GradeIT {
     }
 
     @Test
-    void errorsOfTheTeacherAreTold() throws Exception {
+    void errorsOfTheTeacherAreReported() throws Exception {
         handIn("alice", "");
         write("lab/none.yaml", SCENARIO.replace("Go.java", "wander"));
         assertThat(rsal("grade", "students", "--scenario", "lab/none.yaml", "--out", "out")

@@ -27,7 +27,7 @@ class InternalErrorTest {
     }
 
     @Test
-    void isToldInTwoLinesAndWrittenDownInFull() throws Exception {
+    void isReportedInTwoLinesAndWrittenDownInFull() throws Exception {
         assertThat(execute("break")).isEqualTo(Exit.INTERNAL);
         assertThat(err.toString()).contains("a wheel came off").doesNotContain("\tat ");
         assertThat(err.toString().lines()).hasSize(2);

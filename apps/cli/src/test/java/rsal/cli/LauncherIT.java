@@ -212,7 +212,7 @@ class LauncherIT {
     }
 
     @Test
-    void tellsAboutTestsWithoutRunningThem() throws Exception {
+    void describesTestsWithoutRunningThem() throws Exception {
         assertThat(run("test", "--help").out()).startsWith("args test --help\n");
     }
 
@@ -539,7 +539,7 @@ class LauncherIT {
     }
 
     @Test
-    void tellsANewScenariosTestWhereItIs() throws Exception {
+    void givesANewScenariosTestItsPlace() throws Exception {
         assertThat(run("new", "mine").out())
                 .contains("launcher " + project.toRealPath().resolve("rsal"));
     }
@@ -715,7 +715,7 @@ class LauncherIT {
     }
 
     @Test
-    void tellsTheDoctorWhereThePageIs() throws Exception {
+    void reportsToTheDoctorWhereThePageIs() throws Exception {
         layOutPage("#!/bin/sh\n");
         assertThat(run("doctor").out()).contains("page null");
         Ended watched = run("run");

@@ -121,7 +121,7 @@ class ListenIT {
     }
 
     @Test
-    void errorsAreToldBeforeARunBegins() throws Exception {
+    void errorsAreReportedBeforeARunBegins() throws Exception {
         assertThat(rsal.run("certificate", "localhost").code()).isZero();
         Files.writeString(folder.resolve("other.pem"), "no key");
         Files.writeString(folder.resolve("tokens"), "watch short\n");

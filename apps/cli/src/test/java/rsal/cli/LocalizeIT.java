@@ -85,7 +85,7 @@ class LocalizeIT {
     }
 
     @Test
-    void aReferenceTellsWhereScansOfARawLogWereTaken() throws Exception {
+    void aReferenceSaysWhereScansOfARawLogWereTaken() throws Exception {
         Files.writeString(
                 folder.resolve("raw.log"),
                 RoomLog.whole().replaceAll("(?m) \\S+ \\S+ \\S+ (\\S+ h \\S+)$", " 0 0 0 $1"));
@@ -115,7 +115,7 @@ class LocalizeIT {
     }
 
     @Test
-    void tellsWhatItSkipped() throws Exception {
+    void reportsWhatItSkipped() throws Exception {
         Files.writeString(folder.resolve("bad.log"), "FLASER 3 1 2\n" + RoomLog.whole());
 
         Ended ended = rsal.run("localize", "bad.log", "--map-from-half", "--scans", "2");
@@ -172,7 +172,7 @@ class LocalizeIT {
     }
 
     @Test
-    void aLogThatHasNoReturnsTellsNothing() throws Exception {
+    void aLogThatHasNoReturnsSaysNothing() throws Exception {
         String nothing = RoomLog.whole().replaceAll("FLASER 181( \\S+){181}", "FLASER 181" + " 81.91".repeat(181));
         Files.writeString(folder.resolve("void.log"), nothing);
 

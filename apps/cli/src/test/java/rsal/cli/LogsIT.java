@@ -70,7 +70,7 @@ class LogsIT {
     }
 
     @Test
-    void followingTellsWhatIsAddedAlsoToANewFile() throws Exception {
+    void followingReportsWhatIsAddedAlsoToANewFile() throws Exception {
         Path log = folder.resolve("run.log");
         Files.writeString(log, ENTRY.formatted("INFO", "first") + "no JSON\n" + ENTRY.formatted("DEBUG", "second"));
 
@@ -136,7 +136,7 @@ class LogsIT {
     }
 
     @Test
-    void errorsAreTold() throws Exception {
+    void errorsAreReported() throws Exception {
         assertThat(new Rsal(folder).run("logs", "none.log").err()).contains("There is no such file.");
         Files.createDirectory(folder.resolve("folder"));
         Ended refused = new Rsal(folder).run("run", "--headless", "--for", "1", "--log", "folder");

@@ -84,7 +84,7 @@ class MapIT {
 
     @Test
     @LongTest
-    void warnsOfALaserThatIsUpsideDownAndReadsItRightWhenItIsToldSo() throws Exception {
+    void warnsOfALaserThatIsUpsideDownAndReadsItRightWhenItIsAskedTo() throws Exception {
         Files.writeString(folder.resolve("mirrored.log"), RoomLog.mirrored());
 
         Ended ended = rsal.run("map", "mirrored.log", "--out", "mirrored", "--json");
@@ -106,7 +106,7 @@ class MapIT {
     }
 
     @Test
-    void tellsThatALogHasItsLaserMoveAboutOnTheRobot() throws Exception {
+    void reportsThatALogHasItsLaserMoveAboutOnTheRobot() throws Exception {
         Files.writeString(
                 folder.resolve("raw.log"), RoomLog.part(0, 20, Pose2d.ORIGIN) + RoomLog.corrected(21, 40, 0.3));
 
@@ -147,7 +147,7 @@ class MapIT {
     }
 
     @Test
-    void tellsNoErrorsWhenTheLogsPosesAreNotRight() throws Exception {
+    void reportsNoErrorsWhenTheLogsPosesAreNotRight() throws Exception {
         Ended ended = rsal.run("map", "room.log", "--no-reference", "--out", "raw", "--json");
 
         assertThat(ended.code()).as(ended.err()).isEqualTo(Exit.SUCCESS);
@@ -198,7 +198,7 @@ class MapIT {
     }
 
     @Test
-    void joinsNoMapsThatFitInTwoWaysButTellsBoth() throws Exception {
+    void joinsNoMapsThatFitInTwoWaysButReportsBoth() throws Exception {
         Files.writeString(folder.resolve("one.log"), RoomLog.twoSided(0, 40, Pose2d.ORIGIN));
         Files.writeString(folder.resolve("other.log"), RoomLog.twoSided(5, 35, new Pose2d(30, -7, 2)));
 
@@ -210,7 +210,7 @@ class MapIT {
     }
 
     @Test
-    void tellsWhereMapsContradictEachOtherAndJoinsThemWhenAsked() throws Exception {
+    void reportsWhereMapsContradictEachOtherAndJoinsThemWhenAsked() throws Exception {
         Files.writeString(folder.resolve("other.log"), RoomLog.withBox(10, 40, new Pose2d(30, -7, 2)));
 
         Ended refused = rsal.run("map", "room.log", "other.log", "--out", "both");
@@ -238,7 +238,7 @@ class MapIT {
     }
 
     @Test
-    void joinsNoMapsThatNothingTellsToShareAPlaceWhateverIsAsked() throws Exception {
+    void joinsNoMapsThatNothingShowsToShareAPlaceWhateverIsAsked() throws Exception {
         Files.writeString(folder.resolve("scan.log"), RoomLog.part(0, 0, Pose2d.ORIGIN));
 
         Ended ended = rsal.run("map", "room.log", "scan.log", "--out", "both", "--despite-contradictions");
@@ -251,7 +251,7 @@ class MapIT {
 
     @Test
     @LongTest
-    void tellsWhereEachOfThreeMapsLiesWhenAllAreJoined() throws Exception {
+    void reportsWhereEachOfThreeMapsLiesWhenAllAreJoined() throws Exception {
         Files.writeString(folder.resolve("second.log"), RoomLog.part(10, 40, new Pose2d(30, -7, 2)));
         Files.writeString(folder.resolve("third.log"), RoomLog.part(0, 30, new Pose2d(-8, 4, 1)));
 

@@ -94,7 +94,7 @@ class NewIT {
     }
 
     @Test
-    void whatIsWrongInItsAgentIsToldWithItsLine() throws Exception {
+    void whatIsWrongInItsAgentIsReportedWithItsLine() throws Exception {
         rsal.run("new", "chase");
         Path agent = folder.resolve("chase/Hunter.java");
         Files.writeString(agent, Files.readString(agent).replace("seen.isEmpty()", "seen.isNobody()"));

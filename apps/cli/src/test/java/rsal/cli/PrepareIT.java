@@ -34,7 +34,7 @@ class PrepareIT {
     }
 
     @Test
-    void aFolderThatCantBeWrittenIsTold() throws Exception {
+    void aFolderThatCantBeWrittenIsReported() throws Exception {
         Path file = Files.writeString(folder.resolve("file"), "no folder");
 
         Ended ended = new Rsal(folder)

@@ -161,7 +161,7 @@ class RecordIT {
 
     @Test
     @LongTest
-    void foxgloveIsToldWhereToLook() throws Exception {
+    void foxgloveIsInformedWhereToLook() throws Exception {
         Ended plain = rsal.run("run", "--headless", "--speed", "max", "--seed", "7", "--for", "2", "--json");
         Ended run = rsal.run(
                 "run", "--headless", "--speed", "max", "--seed", "7", "--for", "2", "--json", "--foxglove-port", "0");
@@ -177,7 +177,7 @@ class RecordIT {
     }
 
     @Test
-    void errorsAreToldBeforeAnythingRuns() throws Exception {
+    void errorsAreReportedBeforeAnythingRuns() throws Exception {
         Files.writeString(folder.resolve("there.mcap"), "precious");
         Ended there = rsal.run("run", "--headless", "--for", "1", "--record", "there.mcap");
         assertThat(there.code()).isEqualTo(Exit.INVALID);
@@ -198,7 +198,7 @@ class RecordIT {
 
     @Test
     @EnabledOnOs(OS.LINUX)
-    void aFullDiskIsTold() throws Exception {
+    void aFullDiskIsReported() throws Exception {
         Ended full = rsal.run("run", "--headless", "--for", "1", "--record", "/dev/full", "--force");
         assertThat(full.code()).isEqualTo(Exit.INVALID);
         assertThat(full.err()).contains("No space left");

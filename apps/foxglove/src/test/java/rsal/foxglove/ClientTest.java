@@ -20,7 +20,7 @@ class ClientTest {
     private final Tap line = new Tap();
 
     @Test
-    void isToldAllOnceMoreAfterItHasTakenWhatWasUnderWay() throws Exception {
+    void isSentAllOnceMoreAfterItHasTakenWhatWasUnderWay() throws Exception {
         RunPlan plan = Scenario.load("hunt-and-prey")
                 .plan(RunOptions.NONE.withSpeed(Double.POSITIVE_INFINITY).withLimit(Duration.ofSeconds(5)));
         List<Entry> entries = entries(plan);
@@ -57,7 +57,7 @@ class ClientTest {
     }
 
     @Test
-    void isToldEachEventOnceAlsoThoseThatHappenedBeforeItCameOrWhileItWasLeftOut() throws Exception {
+    void isSentEachEventOnceAlsoThoseThatHappenedBeforeItCameOrWhileItWasLeftOut() throws Exception {
         RunPlan plan = Scenario.load("hunt-and-prey")
                 .plan(RunOptions.NONE.withSpeed(Double.POSITIVE_INFINITY).withLimit(Duration.ofSeconds(30)));
         List<Entry> events =

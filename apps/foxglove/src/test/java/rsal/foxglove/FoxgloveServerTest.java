@@ -74,7 +74,7 @@ class FoxgloveServerTest {
     }
 
     @Test
-    void whatHappenedBeforeItCameIsToldToWhoComesAfterTheEnd() throws Exception {
+    void whatHappenedBeforeItCameIsSentToWhoComesAfterTheEnd() throws Exception {
         LiveRun run = start(plan(Double.POSITIVE_INFINITY, 30));
         end(run);
         int happened = run.events(0).size();
@@ -204,7 +204,7 @@ class FoxgloveServerTest {
     }
 
     @Test
-    void nonsenseIsToldAndHarmsNobody() throws Exception {
+    void nonsenseIsReportedAndHarmsNobody() throws Exception {
         start(plan(1, 60));
         var random = new Random(1);
         try (var other = new Watcher(server.url());

@@ -29,7 +29,7 @@ class PublishedGoalTest {
         "/move_base_simple/goal, GOAL, ''",
         "/initialpose, POSE, ''"
     })
-    void topicsTellWhatIsWantedOfWhom(String topic, Kind kind, String robot) {
+    void topicsSayWhatIsWantedOfWhom(String topic, Kind kind, String robot) {
         assertThat(PublishedGoal.of(topic)).contains(new PublishedGoal(kind, robot));
     }
 
@@ -70,7 +70,7 @@ class PublishedGoalTest {
                 "{\"position\": {\"x\": 1, \"y\": 2}, \"orientation\": {\"z\": 0, \"w\": 0}} | not a rotation",
                 "{\"frame_id\": \"odom\", \"position\": {\"x\": 1, \"y\": 2}, \"orientation\": {\"z\": 0, \"w\": 1}} | 'map'"
             })
-    void whatIsUnclearIsTold(String message, String why) {
+    void whatIsUnclearIsReported(String message, String why) {
         assertThatThrownBy(() -> PublishedGoal.pose(message.getBytes(StandardCharsets.UTF_8)))
                 .isInstanceOf(Unclear.class)
                 .hasMessageContaining(why);
@@ -78,7 +78,7 @@ class PublishedGoalTest {
 
     @ParameterizedTest
     @ValueSource(ints = {20, 309, 400, 999, 5000})
-    void integersOfAnySizeAreTold(int digits) {
+    void integersOfAnySizeAreReported(int digits) {
         String huge = "1" + "0".repeat(digits);
         for (String number : List.of("x", "y", "z", "w")) {
             String message = "{\"position\": {\"x\": 1, \"y\": 2}, \"orientation\": {\"z\": 0, \"w\": 1}}"

@@ -64,7 +64,7 @@ class ComponentsTest {
     }
 
     @Test
-    void aPartWithoutALicenceIsTold() throws IOException {
+    void aPartWithoutALicenceIsReported() throws IOException {
         components.add(Files.writeString(
                 folder.resolve("bare.json"), "{\"components\": [{\"name\": \"bare\", \"version\": \"1\"}]}"));
         assertThat(components.unlicensed()).containsExactly("bare");

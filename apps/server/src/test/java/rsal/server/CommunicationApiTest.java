@@ -51,7 +51,7 @@ class CommunicationApiTest {
     }
 
     @Test
-    void tellsWhoHeardWhatAndWhyNotWithoutAToken() throws Exception {
+    void reportsWhoHeardWhatAndWhyNotWithoutAToken() throws Exception {
         JsonNode topics = talk.get("/api/topics").get("topics");
         assertThat(each(topics))
                 .extracting(topic -> topic.get("topic").asString())
@@ -76,7 +76,7 @@ class CommunicationApiTest {
     }
 
     @Test
-    void tellsAllTypesOfAgentsWithWhatCanBeTyped() throws Exception {
+    void reportsAllTypesOfAgentsWithWhatCanBeTyped() throws Exception {
         List<JsonNode> types = each(talk.get("/api/agents/types").get("types"));
         assertThat(types)
                 .extracting(type -> type.get("type").asString())
@@ -92,7 +92,7 @@ class CommunicationApiTest {
     }
 
     @Test
-    void tellsWhichRobotsHearEachOther() throws Exception {
+    void reportsWhichRobotsHearEachOther() throws Exception {
         JsonNode reported = talk.get("/api/links?robot=nobody");
         assertThat(reported.get("ofChosen").asBoolean()).isFalse();
         assertThat(each(reported.get("links")))
@@ -105,7 +105,7 @@ class CommunicationApiTest {
     }
 
     @Test
-    void tellsWhatAnAgentTalksAboutInOrder() throws Exception {
+    void reportsWhatAnAgentTalksAboutInOrder() throws Exception {
         JsonNode spread = talk.get("/api/agent?name=spread");
         assertThat(spread.get("agent").asString()).isEqualTo("spread");
         assertThat(spread.get("mind").isNull()).isTrue();
@@ -127,7 +127,7 @@ class CommunicationApiTest {
     }
 
     @Test
-    void tellsWhatReachedAnAgentInOrder() throws Exception {
+    void reportsWhatReachedAnAgentInOrder() throws Exception {
         JsonNode nav = talk.get("/api/agent?name=nav-1");
         List<JsonNode> mail = each(nav.get("mail"));
         assertThat(mail)
@@ -146,7 +146,7 @@ class CommunicationApiTest {
     }
 
     @Test
-    void tellsWhatAnAgentWithoutAMindShows() throws Exception {
+    void reportsWhatAnAgentWithoutAMindShows() throws Exception {
         JsonNode spread = talk.get("/api/agent?name=spread");
         assertThat(spread.get("mind").isNull()).isTrue();
         assertThat(spread.get("status").asString()).isEqualTo("RUNNING");
@@ -154,7 +154,7 @@ class CommunicationApiTest {
     }
 
     @Test
-    void tellsWhichArgumentsAnAgentHas() throws Exception {
+    void reportsWhichArgumentsAnAgentHas() throws Exception {
         List<JsonNode> arguments = each(talk.get("/api/agent?name=evade").get("arguments"));
         assertThat(arguments)
                 .extracting(argument -> argument.get("name").asString())
@@ -179,7 +179,7 @@ class CommunicationApiTest {
     }
 
     @Test
-    void tellsWhatAnAgentBelievesAndWants() throws Exception {
+    void reportsWhatAnAgentBelievesAndWants() throws Exception {
         JsonNode mind = talk.get("/api/agent?name=evade").get("mind");
         assertThat(each(mind.get("beliefs"))).isNotEmpty();
         assertThat(each(mind.get("goals")))

@@ -37,7 +37,7 @@ class CommunicationPastApiTest {
     }
 
     @Test
-    void tellsStepByStepWhatChangesInAnAgentWhileSomebodyLooks() throws Exception {
+    void reportsStepByStepWhatChangesInAnAgentWhileSomebodyLooks() throws Exception {
         talk.advanceTo(2);
         assertThat(each(talk.get("/api/agent?name=evade").get("history")))
                 .as("what it does is noted before, too")
@@ -63,7 +63,7 @@ class CommunicationPastApiTest {
 
     @Test
     @LongTest
-    void whoAsksABusyRunIsToldSoInTheEnd() throws Exception {
+    void whoAsksABusyRunIsInformedInTheEnd() throws Exception {
         var free = new CountDownLatch(1);
         try (var _ = talk.run().onSnapshot(() -> await(free))) { // on the run's thread
             talk.run().step();
@@ -102,7 +102,7 @@ class CommunicationPastApiTest {
     }
 
     @Test
-    void whatWasKnownAtTheEndIsToldAfterwards() throws Exception {
+    void whatWasKnownAtTheEndIsReportedAfterwards() throws Exception {
         talk.advanceTo(2);
         String numbers = "/api/numbers/past?robot=prey&device=laser&number=ranges.least";
         ServerClock.await().until(() -> !talk.get(numbers).get("times").isEmpty());
@@ -129,7 +129,7 @@ class CommunicationPastApiTest {
     }
 
     @Test
-    void whatWasKnownOfAMomentIsToldOfItAfterwards() throws Exception {
+    void whatWasKnownOfAMomentIsReportedAfterwards() throws Exception {
         talk.advanceTo(3);
         Known then = known("");
         String asked = "&time=3";
@@ -214,7 +214,7 @@ class CommunicationPastApiTest {
     }
 
     @Test
-    void whatIsSaidAllTheTimeIsToldOfAMomentToo() throws Exception {
+    void whatIsSaidAllTheTimeIsReportedOfAMomentToo() throws Exception {
         talk.advanceTo(20);
         assertThat(each(talk.get("/api/routine?topic=pose&time=15").get("said")))
                 .isNotEmpty()

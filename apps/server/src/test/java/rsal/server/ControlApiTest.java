@@ -121,7 +121,7 @@ class ControlApiTest {
     }
 
     @Test
-    void tellsInEventsWhoDidWhat() throws IOException {
+    void reportsInEventsWhoDidWhat() throws IOException {
         post("/api/run/estop", "", as("b"));
         take("a", "Ann", false);
         post("/api/run/rearm", "", as("a"));

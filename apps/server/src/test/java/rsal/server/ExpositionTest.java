@@ -298,7 +298,7 @@ class ExpositionTest {
     }
 
     @Test
-    void tellsWhatCameOfRecordings() throws Exception {
+    void reportsWhatCameOfRecordings() throws Exception {
         var tally = new Recorder.Tally(3_000_000_000L, 12, 1);
         try (var server = serve(Errand.plan(), LiveRun::start, Optional.of(tally))) {
             PrometheusText metrics = scrape(server);

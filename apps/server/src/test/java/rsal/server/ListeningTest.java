@@ -165,7 +165,7 @@ class ListeningTest {
                 "/API/run",
                 "/api;x/run"
             })
-    void nothingIsToldWithoutAToken(String path) throws Exception {
+    void nothingIsReportedWithoutAToken(String path) throws Exception {
         assertThat(get(path, null)).isIn(400, 401, 404);
         assertThat(get(path, "wrong-0123456789abc")).isIn(400, 401, 404);
     }

@@ -52,7 +52,7 @@ class LiveTest {
     }
 
     @Test
-    void tellsAViewerThatComesLateEverything() throws Exception {
+    void sendsAViewerThatComesLateEverything() throws Exception {
         var early = new Browser();
         early.next(Message::isFrame);
         var late = new Browser();
@@ -97,7 +97,7 @@ class LiveTest {
     }
 
     @Test
-    void tellsHowTheRunEnded() throws Exception {
+    void reportsHowTheRunEnded() throws Exception {
         var browser = new Browser();
         server.run().stop();
         assertThat(browser.next(m -> m.text().contains("\"outcome\":\"stopped\""))
@@ -179,7 +179,7 @@ class LiveTest {
     }
 
     @Test
-    void whoeverHasTheTokenEntersAndIsToldSo() throws Exception {
+    void whoeverHasTheTokenEntersAndIsInformed() throws Exception {
         var first = new Browser();
         first.next(m -> true);
         for (int i = 1; i < Live.MAX_VIEWERS; i++) {
@@ -196,7 +196,7 @@ class LiveTest {
     }
 
     @Test
-    void aTokenOfAnotherServerIsToldToBeNone() throws Exception {
+    void aTokenOfAnotherServerIsRefused() throws Exception {
         var viewer = new Browser();
         viewer.socket.sendText("{\"token\":\"of-before\"}", true).join();
 

@@ -88,7 +88,7 @@ class RealRobotsTest {
     }
 
     @Test
-    void silenceIsToldOnceItIsLong() {
+    void silenceIsReportedOnceItIsLong() {
         assertThat(details(real(Optional.empty(), Optional.empty()))).contains(new RealDetails(true, Optional.empty()));
         assertThat(details(real(Optional.empty(), Optional.of(Duration.ofMillis(900)))))
                 .contains(new RealDetails(true, Optional.empty()));

@@ -70,7 +70,7 @@ class ReplayServerTest {
     }
 
     @Test
-    void tellsWhatItIs() throws Exception {
+    void reportsWhatItIs() throws Exception {
         assertThat(get("/").body()).isEqualTo("<p>the page</p>");
         assertThat(get("/api/run").body())
                 .contains("\"scenario\":\"hunt-and-prey\"", "\"recording\":{\"name\":\"run.mcap\"", "\"whole\":true");
@@ -122,7 +122,7 @@ class ReplayServerTest {
     }
 
     @Test
-    void tellsWhatDevicesTold() throws Exception {
+    void reportsWhatDevicesReported() throws Exception {
         assertThat(get("/api/readings?robot=hunter-1&time=3").body())
                 .contains(
                         "{\"device\":\"base\"", "\"name\":\"velocity\"", "{\"device\":\"laser\"", "\"name\":\"hits\"");
@@ -134,7 +134,7 @@ class ReplayServerTest {
     }
 
     @Test
-    void tellsWhatANumberHasBeen() throws Exception {
+    void reportsWhatANumberHasBeen() throws Exception {
         String speed = "/api/numbers/past?robot=hunter-1&device=base&number=velocity.vx";
         PastNumbers past = pastNumbers(speed);
         assertThat(past.times()).hasSize(50).isSorted().endsWith(4.9, 5.0);
@@ -157,7 +157,7 @@ class ReplayServerTest {
     }
 
     @Test
-    void tellsWhereRobotsWent() throws Exception {
+    void reportsWhereRobotsWent() throws Exception {
         Trails trails = new ObjectMapper().readValue(get("/api/trails?time=3").body(), Trails.class);
         assertThat(trails.robots())
                 .hasSameSizeAs(RecordedPastTest.plan("hunt-and-prey", 5).robots());
@@ -171,7 +171,7 @@ class ReplayServerTest {
     }
 
     @Test
-    void tellsWhoHeardWhom() throws Exception {
+    void reportsWhoHeardWhom() throws Exception {
         assertThat(get("/api/links?time=4").body())
                 .contains("\"ofChosen\":false", "\"one\":\"prey-1\"")
                 .containsPattern("\"said(There|Back)\":true");
@@ -179,14 +179,14 @@ class ReplayServerTest {
     }
 
     @Test
-    void tellsWhatCamerasMadeOut() throws Exception {
+    void reportsWhatCamerasMadeOut() throws Exception {
         server.close();
         show("find-and-collect", 5);
         assertThat(get("/api/blobs?robot=explorer-1&time=5").body()).contains("{\"cameras\":[{\"name\":\"camera\"");
     }
 
     @Test
-    void tellsWhatIsSaidAllTheTime() throws Exception {
+    void reportsWhatIsSaidAllTheTime() throws Exception {
         assertThat(get("/api/routine?time=3").body()).isEqualTo("{\"topics\":[\"pose\",\"pose-request\"],\"said\":[]}");
         assertThat(get("/api/routine?time=3&topic=pose").body())
                 .contains("prey-1 is at (", "\"topic\":\"pose\"")
@@ -194,14 +194,14 @@ class ReplayServerTest {
     }
 
     @Test
-    void tellsWhatAnAgentCameToBelieve() throws Exception {
+    void reportsWhatAnAgentCameToBelieve() throws Exception {
         String belief = "\"kind\":\"BELIEVES\",\"name\":\"prey\",\"words\":\"prey-1\"";
         assertThat(get("/api/agent?name=follow-1&time=0").body()).doesNotContain(belief);
         assertThat(get("/api/agent?name=follow-1&time=5").body()).containsOnlyOnce(belief);
     }
 
     @Test
-    void tellsAboutAgentsThatPeopleStarted() throws Exception {
+    void reportsAgentsThatPeopleStarted() throws Exception {
         server.close();
         Path file = folder.resolve("by-hand.mcap");
         RunPlan plan =
@@ -219,7 +219,7 @@ class ReplayServerTest {
     }
 
     @Test
-    void tellsWhatAnAgentTalkedAboutAndWhatWasSaidToIt() throws Exception {
+    void reportsWhatAnAgentTalkedAboutAndWhatWasSaidToIt() throws Exception {
         server.close();
         show("distribution", 15);
         String agent =

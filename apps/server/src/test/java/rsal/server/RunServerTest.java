@@ -583,7 +583,7 @@ class RunServerTest {
         }
 
         @Test
-        void areToldOfNoCostsWhereARobotPlansByNone() throws Exception {
+        void haveNoCostsWhereARobotPlansByNone() throws Exception {
             await(server.run(), snapshot -> !snapshot.robots().isEmpty());
             post("new-robot", "{\"model\":\"pioneer2dx\",\"x\":3,\"y\":-1,\"heading\":0}");
             await(server.run(), snapshot -> snapshot.robots().size() == 2);
@@ -671,7 +671,7 @@ class RunServerTest {
                     "agent?name=nav-2"
                 },
                 landing = 2)
-        void tellsNothingToWhoeverAsksAboutTheRunBefore(String question) throws IOException {
+        void saysNothingToWhoeverAsksAboutTheRunBefore(String question) throws IOException {
             post("restart", "{\"configuration\":\"pair\"}");
             assertThat(get("/api/" + question + "&run=2").status()).isIn(200, 204); // no costs where nobody drives
             post("restart", "{\"configuration\":\"one\"}");
@@ -683,7 +683,7 @@ class RunServerTest {
 
         @ParameterizedTest
         @ValueSource(strings = {"abilities?robot=courier-1", "costs?robot=courier-1", "links?robot=courier-1"})
-        void tellsNothingToWhoeverDoesNotKnowYetThatTheRunIsOver(String question) throws Exception {
+        void saysNothingToWhoeverDoesNotKnowYetThatTheRunIsOver(String question) throws Exception {
             post("stop", "{}");
             server.run().result().toCompletableFuture().get(10, TimeUnit.SECONDS);
             assertThat(get("/api/" + question).status()).isEqualTo(409);
@@ -694,7 +694,7 @@ class RunServerTest {
 
         /// A page that is opened while another run begins asks for the map of the one that it was told of.
         @Test
-        void tellsNothingOfTheMapsOfARunThatAnotherHasFollowed() throws IOException {
+        void saysNothingOfTheMapsOfARunThatAnotherHasFollowed() throws IOException {
             post("restart", "{}");
             for (String map : List.of("map/1", "drawn/1?robot=courier-1")) {
                 assertThat(get("/api/" + map)).returns(204, Response::status).returns("", Response::body);

@@ -187,7 +187,7 @@ class RunSlotsTest {
     }
 
     @Test
-    void tellsEachOfThemWhatItIsToDo() throws Exception {
+    void asksEachOfThemWhatItIsToDo() throws Exception {
         open("{}");
         assertThat(post("/beside/2/api/run/pause", "").status()).isEqualTo(200);
         await(run(2), Snapshot::paused);
@@ -302,7 +302,7 @@ class RunSlotsTest {
     }
 
     @Test
-    void endsTheRunThatIsClosedAndTellsItsViewers() throws Exception {
+    void endsTheRunThatIsClosedAndInformsItsViewers() throws Exception {
         open("{}");
         LiveRun second = run(2);
         var reported = new CompletableFuture<String>();

@@ -174,7 +174,7 @@ class SweepApiTest {
     }
 
     @Test
-    void tellsItsRunsSoThatOneCanBeRunAgainAsItWas() throws Exception {
+    void reportsItsRunsSoThatOneCanBeRunAgainAsItWas() throws Exception {
         var wish = new SweepWish(
                 scenario.toString(), List.of("long"), Map.of("guards", "1:2"), "2", "0.5", Optional.of(1));
         post("", wish);

@@ -121,7 +121,7 @@ class TextApiTest {
     }
 
     @Test
-    void tellsLineAndColumnOfEachErrorInAnyConfiguration() throws IOException {
+    void reportsLineAndColumnOfEachErrorInAnyConfiguration() throws IOException {
         TextCheck good = check(Optional.of(own.toString()), OWN);
         assertThat(good.errors()).isEmpty();
         assertThat(good.configurations()).extracting(one -> one.name()).containsExactly("plain", "many");

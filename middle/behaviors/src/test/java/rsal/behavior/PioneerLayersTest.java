@@ -259,7 +259,7 @@ class PioneerLayersTest {
     }
 
     @Test
-    void aRobotThatTurnsIsNotStuckAndOneThatIsToldToStandNeither() {
+    void aRobotThatTurnsIsNotStuckAndOneThatIsAskedToStandNeither() {
         var escape = new EscapeWhenStuck(Scene.BODY);
         for (int update = 0; update < 100; update++) {
             Percept percept = Scene.open().at(Pose2d.ofDegrees(0, 0, update)).percept();

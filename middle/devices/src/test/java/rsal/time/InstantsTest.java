@@ -245,7 +245,7 @@ class InstantsTest {
     }
 
     @Test
-    void eachPhaseIsToldTheTimeThatItTook() {
+    void eachPhaseIsGivenTheTimeThatItTook() {
         var clock = new AtomicLong();
         var times = new PhaseTimes(clock::get, () -> 0);
         var timed = new LockstepScheduler(Instant.EPOCH, Runnable::run, times);

@@ -459,7 +459,7 @@ class WallSchedulerTest {
     }
 
     @Test
-    void tellsWhatEachPhaseTakes() {
+    void reportsWhatEachPhaseTakes() {
         var clock = new AtomicLong();
         var times = new PhaseTimes(clock::get, () -> 0);
         try (var timed = new WallScheduler("run-timed", workers, failures::add, times)) {

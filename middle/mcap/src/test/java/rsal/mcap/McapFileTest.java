@@ -98,7 +98,7 @@ class McapFileTest {
     }
 
     @Test
-    void aDamagedChunkIsLeftOutAndTold() throws IOException {
+    void aDamagedChunkIsLeftOutAndReported() throws IOException {
         MadeFile made = MadeFile.of(new SplittableRandom(4), 3000, 0);
         byte[] bytes = made.bytes();
         bytes[(int) chunkEnds(bytes)[2] - 10] ^= 0x40;

@@ -237,7 +237,7 @@ class PartReaderTest {
     }
 
     @Test
-    void listsThatAreMissingAreToldToBe() {
+    void listsThatAreMissingAreReportedAsMissing() {
         String bumpers = BUMPER.lines()
                 .filter(line -> line.startsWith("bumpers"))
                 .findFirst()

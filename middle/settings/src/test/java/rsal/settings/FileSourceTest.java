@@ -87,7 +87,7 @@ class FileSourceTest {
     }
 
     @Test
-    void tellsWhatIsTooLargeInMebibytes() throws IOException {
+    void reportsWhatIsTooLargeInMebibytes() throws IOException {
         Files.write(temp.resolve("inside/large"), new byte[(1 << 20) + 1]);
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> source.read("large", 1 << 20, HERE))
@@ -96,7 +96,7 @@ class FileSourceTest {
     }
 
     @Test
-    void tellsFoldersFromFiles() {
+    void distinguishesFoldersFromFiles() {
         for (FileSource each : List.of(source, FileSource.disk())) {
             assertThatExceptionOfType(InvalidSettings.class)
                     .isThrownBy(() -> each.read(".", 5, HERE))

@@ -13,7 +13,7 @@ class ProblemTest {
     }
 
     @Test
-    void areToldAsTheyAreRead() {
+    void areReportedAsTheyAreRead() {
         var typed = new Problem(Location.of("--set"), "d", "");
         var last = new Problem(new Location("a.yaml", 7, 3), "c", "");
         var first = new Problem(new Location("a.yaml", 2, 9), "a", "");

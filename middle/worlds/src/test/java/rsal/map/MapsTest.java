@@ -197,7 +197,7 @@ class MapsTest {
     }
 
     @Test
-    void anErrorIsToldOnceAndByItsName() throws IOException {
+    void anErrorIsReportedOnceAndByItsName() throws IOException {
         write("lab.yaml", LAB.replace("0.5", ".nan").replace("[-1, -2, 0]", "[.nan, -2, 0]"));
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> maps.read("lab.yaml", HERE))

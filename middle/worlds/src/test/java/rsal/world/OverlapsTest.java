@@ -177,7 +177,7 @@ class OverlapsTest {
     }
 
     @Test
-    void eachRobotIsToldOfOnceAndTheFirstOfTwoIsNot() {
+    void eachRobotIsReportedOnceAndTheFirstOfTwoIsNot() {
         List<Entity> robots = List.of(box("a", 0, 0, 0.2), box("b", 0.1, 0, 0.2), box("c", 0.05, 0, 0.2));
         assertThat(Overlaps.of(List.of(), List.of(box("t", 0.2, 0, 0.2)), robots))
                 .extracting(overlap -> overlap.robot().name())

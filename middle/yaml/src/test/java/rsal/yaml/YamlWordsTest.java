@@ -30,7 +30,7 @@ class YamlWordsTest {
             a:\\n\\t- b           | lines are indented by spaces, not by tabs
             a: *x                | found undefined alias x
             """)
-    void errorsAreToldInWordsOfThoseWhoWrite(String text, String words) {
+    void errorsAreReportedInWordsOfThoseWhoWrite(String text, String words) {
         String written = text.replace("\\n", "\n").replace("\\t", "\t") + "\n";
         assertThat(wordsOf(written)).isEqualTo("This is not YAML: %s.".formatted(words));
     }

@@ -96,7 +96,7 @@ class SdfRobotsTest {
     }
 
     @Test
-    void whatIsNotToldIsGuessedAndSaid() {
+    void whatIsNotGivenIsGuessedAndReported() {
         var worlds = Worlds.of(cart(
                 "<sensor name='c' type='camera'/>",
                 "<plugin filename='gz-sim-velocity-control-system' name='gz::sim::systems::VelocityControl'/>"));
@@ -133,7 +133,7 @@ class SdfRobotsTest {
     }
 
     @Test
-    void aRobotInAThingIsToldOf() {
+    void aRobotInAThingIsReported() {
         assertThat(Worlds.of(cart("", DIFFERENTIAL)
                                 + Worlds.model("box", "<pose>2 1 0 0 0 0</pose>", "<box><size>1 1 1</size></box>"))
                         .notes())

@@ -176,7 +176,7 @@ class PlayerContractTest {
         }
 
         @Test
-        void isTheWholeMapAsItIsTold() {
+        void isTheWholeMapAsItIsSent() {
             advance(1);
             assertThat(device().latest().orElseThrow().value())
                     .usingRecursiveComparison()

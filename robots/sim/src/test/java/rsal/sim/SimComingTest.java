@@ -54,7 +54,7 @@ class SimComingTest {
     private static final Placement PLACED = new Placement.Placed();
 
     @Test
-    void aRobotComesWithDevicesOfItsOwnAndIsTold() {
+    void aRobotComesWithDevicesOfItsOwnAndIsReported() {
         assertThat(run.simulation.addRobot("c", "a", THERE)).isEqualTo(PLACED);
         assertThat(changes).singleElement().isInstanceOf(Change.Appeared.class);
         Robot came = ((Change.Appeared) changes.getFirst()).robot();
@@ -105,7 +105,7 @@ class SimComingTest {
     }
 
     @Test
-    void aRobotThatGoesIsToldAndItsDevicesAreLost() {
+    void aRobotThatGoesIsReportedAndItsDevicesAreLost() {
         Robot b = run.robot("b");
         assertThat(run.simulation.removeRobot("b")).isTrue();
         assertThat(changes).containsExactly(new Change.Removed("b"));

@@ -174,7 +174,7 @@ class SimFaultsTest {
     }
 
     @Test
-    void aRobotWithoutMotorsStandsWhateverItIsTold() {
+    void aRobotWithoutMotorsStandsWhateverItsCommands() {
         var dead = begin("base", new Fault.MotorDead(0));
         drive(Twist2d.drive(0.4, 0.5));
         assertThat(run.truth("r1")).isEqualTo(new Pose2d(2, 2, 0));

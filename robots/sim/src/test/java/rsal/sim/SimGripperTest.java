@@ -232,7 +232,7 @@ class SimGripperTest {
 
     /// Whatever it is told, in whatever order: against the rules, not against another program.
     @Test
-    void keepsItsRulesWhateverItIsTold() {
+    void keepsItsRulesWhateverItIsAsked() {
         int held = 0;
         for (long seed = 0; seed < 60; seed++) {
             var random = new SplittableRandom(seed);

@@ -359,7 +359,7 @@ class SimMountsTest {
     }
 
     @Test
-    void whatActuatorsHaveCarriedIsTold() {
+    void whatActuatorsHaveCarriedIsReported() {
         var run = withArm(ARM, 0.1);
         run.advance(0.1);
         assertThat(run.simulation.carried("r1")).isEmpty();
@@ -428,7 +428,7 @@ class SimMountsTest {
 
     /// In an empty room of 9 m × 7 m, whose walls are 0.1 m thick.
     @Test
-    void aScanTellsWhereTheScannerWasWhenItWasTaken() {
+    void aScanSaysWhereTheScannerWasWhenItWasTaken() {
         var run = SimRun.of(SimRun.room(9, 7), robot("r1", turret(1), new Pose2d(4.5, 3.5, 0)));
         var headings = new ArrayList<Double>();
         for (int step = 0; step < 40; step++) {

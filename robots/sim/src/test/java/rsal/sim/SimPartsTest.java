@@ -124,7 +124,7 @@ class SimPartsTest {
     }
 
     @Test
-    void whatIsNoBlobIsNotToldOfAndHidesWhatIsBehindIt() {
+    void whatIsNoBlobIsNotReportedAndHidesWhatIsBehindIt() {
         var thing = can("screen", 3, 2, 0.3, 0.5);
         var blocks = Entity.blocks(thing.body(), RED).stream()
                 .map(block -> new rsal.scene.Block(

@@ -112,7 +112,7 @@ class SimProviderTest {
     }
 
     @Test
-    void tellsOfAllThatIsWrong() {
+    void reportsAllThatIsWrong() {
         assertThatExceptionOfType(InvalidRobots.class)
                 .isThrownBy(() -> SimRun.of(
                         ROOM,

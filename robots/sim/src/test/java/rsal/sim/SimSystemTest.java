@@ -128,7 +128,7 @@ class SimSystemTest {
     }
 
     @Test
-    void whoeverHoldsADeviceIsToldWhenTheSimulationCloses() {
+    void whoeverHoldsADeviceIsInformedWhenTheSimulationCloses() {
         var run = SimRun.of(SimRun.room(8, 4), robot("r1", Models.box(), new Pose2d(2, 2, 0)));
         run.advance(1);
         var reported = new ArrayList<Health>();

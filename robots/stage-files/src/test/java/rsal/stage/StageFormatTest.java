@@ -55,7 +55,7 @@ class StageFormatTest {
     }
 
     @Test
-    void robotsThatStartInsideSomethingAreToldOf() {
+    void robotsThatStartInsideSomethingAreReported() {
         Scene scene = scene(Worlds.of("""
                         define cart position ( size [0.4 0.4 0.3] )
                         model ( name "plan" bitmap "plan.pgm" size [10 10 1] pose [0 0 0 0] )
@@ -377,7 +377,7 @@ class StageFormatTest {
     }
 
     @Test
-    void chargersThatCanNotBeAsTheyAreMeantAreToldOf() {
+    void chargersThatCanNotBeAsTheyAreMeantAreReported() {
         Scene scene = scene("""
                 model ( joules 100 give_watts 100 )
                 model ( give_watts 100 noblocks 1 )

@@ -70,7 +70,7 @@ class WorldErrorsTest {
                 "model ( block ( points 2 point[0] [0 0] point[1] [1] ) ) | 41 "
                         + "| 'point[1]' needs 2 numbers, [x y], but has 1."
             })
-    void errorsAreToldWithTheirPlace(String text, int column, String message) {
+    void errorsAreReportedWithTheirPlace(String text, int column, String message) {
         assertThat(Worlds.of("\n" + text).errors())
                 .isNotEmpty()
                 .first()
@@ -135,7 +135,7 @@ class WorldErrorsTest {
                 "model ( block ( points 2000000000 ) ) | 'points' must be a whole number from 2 to 10000, not "
                         + "'2000000000'. | ``"
             })
-    void whatIsTooLargeIsToldWithItsRange(String text, String message, String remedy) {
+    void whatIsTooLargeIsReportedWithItsRange(String text, String message, String remedy) {
         assertThat(Worlds.of(text).errors())
                 .singleElement()
                 .asString()
@@ -229,7 +229,7 @@ class WorldErrorsTest {
                 "position ( velocity_bounds [0 1 0 0 0 0 90 -90] ) | 1:12: 'velocity_bounds' has its least value '90' above "
                         + "its greatest '-90'. | Maybe the two were mixed up."
             })
-    void oneErrorIsToldOnceAndForWhatItIs(String text, String message, String remedy) {
+    void oneErrorIsReportedOnceAndForWhatItIs(String text, String message, String remedy) {
         assertThat(Worlds.of(text.replace("\\n", "\n")).errors())
                 .containsExactly("test.world:" + message + "\n    " + remedy);
     }
@@ -254,7 +254,7 @@ class WorldErrorsTest {
     }
 
     @Test
-    void errorsAreToldInTheOrderOfLines() {
+    void errorsAreReportedInTheOrderOfLines() {
         assertThat(Worlds.of("model ( mass \"a\" )\ninclude \"no.inc\"\nmodel ( mass --3 )")
                         .errors())
                 .extracting(problem -> problem.substring(0, "test.world:1".length()))
@@ -262,7 +262,7 @@ class WorldErrorsTest {
     }
 
     @Test
-    void severalErrorsAreToldAtOnce() {
+    void severalErrorsAreReportedAtOnce() {
         assertThat(Worlds.of("""
                         include "no.inc"
                         model ( mass --3 )
@@ -272,7 +272,7 @@ class WorldErrorsTest {
     }
 
     @Test
-    void whatAMissingFileMayDefineIsNotToldToBeMissing() {
+    void whatAMissingFileMayDefineIsNotReportedAsMissing() {
         assertThat(Worlds.of("include \"no.inc\"\ndefine b a ( )\na ( )\nb ( )").errors())
                 .containsExactly("test.world:1:1: There is no file 'no.inc'.\n"
                         + "    Maybe it is in another folder: those in the environment's STAGEPATH are searched, too.");
@@ -286,7 +286,7 @@ class WorldErrorsTest {
     }
 
     @Test
-    void whatIsNoTextIsToldAtOnceAndOnlyOnce() {
+    void whatIsNoTextIsReportedAtOnceAndOnlyOnce() {
         assertThat(Worlds.of("model ( )\n\u0089PNG\u001a\n\u0000\u0000\u0001\u0002")
                         .errors())
                 .containsExactly("test.world:3:1: 'test.world' is not a text file: there is a byte 0 in it.\n"
@@ -311,7 +311,7 @@ class WorldErrorsTest {
     }
 
     @Test
-    void aCircleOfIncludesIsTold() {
+    void aCircleOfIncludesIsReported() {
         assertThat(Worlds.of("include \"a.inc\"")
                         .and("a.inc", "include \"b.inc\"")
                         .and("b.inc", "include \"a.inc\"")
@@ -321,7 +321,7 @@ class WorldErrorsTest {
     }
 
     @Test
-    void aMacroThatHoldsItselfIsTold() {
+    void aMacroThatHoldsItselfIsReported() {
         assertThat(Worlds.of("define a model ( b ( ) )\ndefine b model ( a ( ) )\na ( )")
                         .errors())
                 .containsExactly("test.world:2:18: 'a' is part of its own definition at test.world:1:8.\n"
@@ -329,7 +329,7 @@ class WorldErrorsTest {
     }
 
     @Test
-    void aMacroThatBuildsUponItselfIsTold() {
+    void aMacroThatBuildsUponItselfIsReported() {
         String remedy = "\n    Write define NAME BASE ( ... ), BASE being a type such as 'model' or 'position'.";
         assertThat(Worlds.of("define a a()\na()").errors())
                 .containsExactly("test.world:1:10: 'a' builds upon itself." + remedy);
@@ -344,14 +344,14 @@ class WorldErrorsTest {
     }
 
     @Test
-    void aBitmapWithoutANameIsToldToHaveNoEffect() {
+    void aBitmapWithoutANameIsReportedAsWithoutEffect() {
         assertThat(Worlds.of("model ( bitmap \"\" )").warnings())
                 .containsExactly("test.world:1:9: 'bitmap' names no file and has no effect.\n"
                         + "    Name an image, or remove it.");
     }
 
     @Test
-    void obsoleteTypesAreToldOnlyWhereTheyAreUsed() {
+    void obsoleteTypesAreReportedOnlyWhereTheyAreUsed() {
         var worlds = Worlds.of("define sick laser ( samples 180 )\ndefine disc puck ( )\nmodel ( )");
         assertThat(worlds.names()).containsExactly("model:0");
         assertThat(Worlds.of("define sick laser ( )\nposition ( sick ( ) )").errors())
@@ -485,7 +485,7 @@ class WorldErrorsTest {
     }
 
     @Test
-    void anImageThatCanNotBeReadIsToldWhereItIsNamed() {
+    void anImageThatCanNotBeReadIsReportedWhereItIsNamed() {
         assertThat(Worlds.of("model ( bitmap \"a.png\" )").and("a.png", "what").errors())
                 .singleElement()
                 .asString()

@@ -173,7 +173,7 @@ class WorldFileTest {
     }
 
     @Test
-    void whatAMacroHasWrongIsToldOnce() {
+    void whatAMacroHasWrongIsReportedOnce() {
         assertThat(Worlds.of("define a model ( rubbish 1 model ( nonsense 1 ) )\n" + "a ( )\n".repeat(50))
                         .warnings())
                 .hasSize(2);

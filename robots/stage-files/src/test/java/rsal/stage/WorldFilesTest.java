@@ -105,7 +105,7 @@ class WorldFilesTest {
     }
 
     @Test
-    void aWorldThatIsTooLargeIsToldSo() throws IOException {
+    void aWorldThatIsTooLargeIsReported() throws IOException {
         write("worlds/a.world", "#".repeat(Lexer.MAX_BYTES + 1));
         assertThatExceptionOfType(InvalidSettings.class)
                 .isThrownBy(() -> StageWorld.read(world, WorldFiles.onDisk(List.of())))

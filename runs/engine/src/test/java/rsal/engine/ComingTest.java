@@ -154,7 +154,7 @@ class ComingTest {
     }
 
     @Test
-    void aRobotCanBeToldWhereItIsWithoutBeingMoved() throws InterruptedException {
+    void aRobotCanBeGivenItsPoseWithoutBeingMoved() throws InterruptedException {
         Snapshot before = await(now -> now.robots().getFirst().estimate().isPresent());
         Pose2d truth = before.robots().getFirst().truth().orElseThrow();
         assertThat(truth.distanceTo(THERE)).isGreaterThan(3);
@@ -191,7 +191,7 @@ class ComingTest {
     }
 
     @Test
-    void aRobotOfAModelComesAndDoesWhatPeopleTellIt() throws InterruptedException {
+    void aRobotOfAModelComesAndDoesWhatPeopleAskOfIt() throws InterruptedException {
         assertThat(RobotModels.readBuiltIn())
                 .extracting(RobotModel::name)
                 .containsExactlyElementsOf(RobotModels.builtIn());

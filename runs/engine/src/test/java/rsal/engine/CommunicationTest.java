@@ -251,7 +251,7 @@ class CommunicationTest {
     }
 
     @Test
-    void eachTopicTellsWhyItsMessagesWereLost() throws Exception {
+    void eachTopicReportsWhyItsMessagesWereLost() throws Exception {
         try (var run = stopped("""
                 communication: {range: 9, behindWalls: 3, loss: 0.2, bandwidth: 9}
                 faults: [{kind: lost, share: 0.5}]
@@ -283,7 +283,7 @@ class CommunicationTest {
     }
 
     @Test
-    void anAgentTellsWhatItHeardOfWhom() throws Exception {
+    void anAgentReportsWhatItHeardOfWhom() throws Exception {
         try (var run = stopped("communication: {range: 9, behindWalls: 3}\n")) {
             assertThat(recorded(run)).hasSize(6);
             Answer answer = run.inspector().inside("amy").toCompletableFuture().get(10, TimeUnit.SECONDS);

@@ -227,7 +227,7 @@ class HuntAndPreyIT {
 
     @Trials({"1", "2", "3", "4", "5"})
     @LongTest
-    void preyThatTellNobodyWhereTheyAreAreSeenAndCaught(long seed) {
+    void preyThatReportTheirPosesToNobodyAreSeenAndCaught(long seed) {
         Hunt hunt = hunt("unseen", seed);
         assertThat(hunt.result.outcome()).isEqualTo("success");
         assertThat(hunt.result.metrics().get("collisions").getAsDouble()).isZero();

@@ -130,7 +130,7 @@ class LiveRunTest {
     }
 
     @Test
-    void tellsWhatItHasCountedWhileItGoesOn() {
+    void reportsWhatItHasCountedWhileItGoesOn() {
         try (var run = LiveRun.start(plan())) {
             Performance before = Performance.NONE;
             while (!run.result().toCompletableFuture().isDone()) {
@@ -244,7 +244,7 @@ class LiveRunTest {
     }
 
     @Test
-    void tellsWhatHappenedInOrderAndWithoutGaps() {
+    void reportsWhatHappenedInOrderAndWithoutGaps() {
         try (var run = LiveRun.start(caught())) {
             Runs.result(run);
             List<RunEvent> events = run.events(0);
@@ -456,7 +456,7 @@ class LiveRunTest {
     }
 
     @Test
-    void anAgentWhoseWordsCantBeMadeEndsAloneAndTheRestIsToldOf() {
+    void anAgentWhoseWordsCantBeMadeEndsAloneAndTheRestIsReported() {
         String text = Runs.TWO_WANDERERS.replace(
                 "chase: {type: wanderer, robot: hunter}", "chase: {type: mumbler}\n  chat: {type: chatter}");
         try (var run = LiveRun.start(Runs.plan(folder, text, RunOptions.NONE))) {
@@ -604,7 +604,7 @@ class LiveRunTest {
 
     /// When the last snapshot is made, no step comes any more in which it could be answered.
     @Test
-    void tellsTheFirstSnapshotOfWhichSomethingIsTrue() throws Exception {
+    void reportsTheFirstSnapshotOfWhichSomethingIsTrue() throws Exception {
         try (LiveRun run = LiveRun.start(slow())) {
             Snapshot found = run.when(now -> now.time().toMillis() >= 500)
                     .toCompletableFuture()

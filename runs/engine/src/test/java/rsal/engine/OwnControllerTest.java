@@ -130,7 +130,7 @@ class OwnControllerTest {
     }
 
     @Test
-    void itsPlanTellsWhatIsSet() {
+    void itsPlanReportsWhatIsSet() {
         assertThat(options(SCENARIO)).containsEntry("controller", Map.of("type", "crawler", "speed", 0.1));
         assertThat(options(SCENARIO.replace("{type: Crawler.java, speed: 0.1}", "dwa")))
                 .containsEntry("controller", "dwa");
@@ -160,7 +160,7 @@ class OwnControllerTest {
     }
 
     @Test
-    void errorsAreToldWithTheirPlace() throws IOException {
+    void errorsAreReportedWithTheirPlace() throws IOException {
         refuses(
                 SCENARIO.replace("speed: 0.1", "sped: 0.1"),
                 "scenario.yaml:12:",

@@ -109,7 +109,7 @@ class OwnRecoveryTest {
     }
 
     @Test
-    void tellsEachErrorWithItsPlace() {
+    void reportsEachErrorWithItsPlace() {
         refuses("[wait, bakUp]", "scenario.yaml:12:", "There is no recovery 'bakUp'.", "Maybe 'backUp'");
         refuses("[{type: wait, duration: 0}]", "'robots.r.devices.navigator.recoveries.duration'", "from 0.1 to 600");
         refuses("[{type: wait, duraton: 3}]", "'duraton' is not known", "Maybe 'duration'");

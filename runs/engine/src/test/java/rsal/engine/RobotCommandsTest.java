@@ -295,7 +295,7 @@ class RobotCommandsTest {
     }
 
     @Test
-    void aRobotWithAnAgentCanBeToldToStand() {
+    void aRobotWithAnAgentCanBeAskedToStand() {
         go();
         await(s -> roams(robot(s, "roamer")));
         done(run.operator().behave("roamer", "stand"));

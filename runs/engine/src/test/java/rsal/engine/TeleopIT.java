@@ -45,7 +45,7 @@ class TeleopIT {
     /// The first is taken away, the second can't be heard from the 10th to the 40th second, and a fifth of all
     /// messages is lost, also of those by which robots are sent.
     @Trials({"1", "2", "3", "4", "5"})
-    void peopleAreToldWhoDoesNotAnswerAndTheOthersGoWhereTheyAreSent(long seed) {
+    void peopleAreInformedWhoDoesNotAnswerAndTheOthersGoWhereTheyAreSent(long seed) {
         var options = RunOptions.NONE
                 .withConfiguration("faulty")
                 .withSeed(seed)

@@ -13,7 +13,7 @@ class PaceTest {
     }
 
     @Test
-    void nobodyCanTellBeforeTheFirstHasEndedNorIsAnythingLeftInTheEnd() {
+    void nobodyKnowsBeforeTheFirstHasEndedNorIsAnythingLeftInTheEnd() {
         assertThat(new Pace(40, 20, 20, Duration.ofSeconds(50)).left()).isEmpty();
         assertThat(new Pace(40, 0, 40, Duration.ofSeconds(50)).left()).isEmpty();
     }

@@ -115,7 +115,7 @@ class SweepRunTest {
     }
 
     @Test
-    void tellsNoFoldersOfTheMachineThatMadeIt() throws Exception {
+    void reportsNoFoldersOfTheMachineThatMadeIt() throws Exception {
         var session = new Manifest.Session(
                 "2026-01-02T03:04:05Z",
                 "/home/bob/lab/guards.yaml",
@@ -247,7 +247,7 @@ class SweepRunTest {
     }
 
     @Test
-    void isClosedByWhoeverIsToldOfARow() throws Exception {
+    void isClosedByWhoeverIsInformedOfARow() throws Exception {
         var reported = new ArrayList<Row>();
         try (var opened = create(sweep)) {
             var self = new SweepRun[1];

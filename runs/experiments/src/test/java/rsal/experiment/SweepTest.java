@@ -35,7 +35,7 @@ class SweepTest {
     }
 
     @Test
-    void tellsEveryErrorOfEveryCombinationBeforeAnythingStarts() {
+    void reportsEveryErrorOfEveryCombinationBeforeAnythingStarts() {
         var design =
                 new Design(List.of("long", "shrt"), List.of(), Map.of("guards", "9"), List.of(1L), Optional.empty());
         assertThatExceptionOfType(InvalidSettings.class)

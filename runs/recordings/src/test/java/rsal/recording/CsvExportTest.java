@@ -110,7 +110,7 @@ class CsvExportTest {
     }
 
     @Test
-    void whatDevicesToldHasATableForEachOfThem() throws Exception {
+    void whatDevicesReportedHasATableForEachOfThem() throws Exception {
         List<Map<String, String>> grippers = table("collector-1.device.gripper.csv");
         assertThat(grippers).hasSizeGreaterThan(100).allSatisfy(row -> {
             assertThat(row.get("paddles")).isIn("OPEN", "OPENING");

@@ -106,7 +106,7 @@ class PlaybackTest {
     }
 
     @Test
-    void whoHeardWhomIsToldAgain() throws Exception {
+    void whoHeardWhomIsReportedAgain() throws Exception {
         Path scenario = folder.resolve("radio.yaml");
         Files.writeString(scenario, """
                 rsal: 1
@@ -137,7 +137,7 @@ class PlaybackTest {
     }
 
     @Test
-    void whatDevicesToldIsToldAgain() throws Exception {
+    void whatDevicesReportedIsReportedAgain() throws Exception {
         Path file = folder.resolve("run.mcap");
         Seen seen = record(Recorded.plan("find-and-collect", 7, 40), file);
         var kinds = new HashSet<Class<?>>();
@@ -177,7 +177,7 @@ class PlaybackTest {
     }
 
     @Test
-    void whatSecondDevicesAndThoseOfUnknownKindsToldIsToldAgain() throws Exception {
+    void whatSecondDevicesAndThoseOfUnknownKindsReportedIsReportedAgain() throws Exception {
         Path file = folder.resolve("run.mcap");
         Recorded.runWithMore(Recorded.plan(HUNT, 7, 3), file);
         try (Playback playback = open(file)) {
@@ -248,7 +248,7 @@ class PlaybackTest {
 
     /// From wherever one begins, and whatever else is looked at.
     @Test
-    void whatDevicesToldInATimeIsWhatTheyToldAtEachMoment() throws Exception {
+    void whatDevicesReportedInATimeIsWhatTheyReportedAtEachMoment() throws Exception {
         Path file = folder.resolve("run.mcap");
         record(Recorded.plan("find-and-collect", 7, 12), file);
         var from = Duration.ofMillis(7_300);
@@ -284,7 +284,7 @@ class PlaybackTest {
 
     /// One that a fault took away says nothing, here as there.
     @Test
-    void whatDevicesOfARobotThatIsGoneToldIsNotToldOn() throws Exception {
+    void whatDevicesOfARobotThatIsGoneReportedIsNotSentOn() throws Exception {
         Path scenario = Files.writeString(folder.resolve("own.yaml"), """
                 rsal: 1
                 scenario: own
@@ -381,7 +381,7 @@ class PlaybackTest {
     /// Bytes that are not as they were: the file is refused in words, or shown as far as it goes.
     @LongTest
     @Test
-    void damageIsToldOrLeftOut() throws Exception {
+    void damageIsReportedOrLeftOut() throws Exception {
         Path file = folder.resolve("run.mcap");
         record(Recorded.plan(HUNT, 3, 5), file);
         byte[] bytes = Files.readAllBytes(file);

@@ -153,7 +153,7 @@ class ReadingTypeTest {
 
     /// A file may be from anywhere.
     @Test
-    void whatNoDeviceTellsIsRefused() {
+    void whatNoDeviceReportsIsRefused() {
         assertThat(ReadingType.ALL.stream()
                         .filter(type -> Stream.of("Actuator", "Battery", "Gripper", "Light")
                                 .anyMatch(type.message().name()::contains)))

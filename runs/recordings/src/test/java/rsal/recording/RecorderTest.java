@@ -95,7 +95,7 @@ class RecorderTest {
     }
 
     @Test
-    void tellsHowMuchItHasWritten() throws Exception {
+    void reportsHowMuchItHasWritten() throws Exception {
         Path file = folder.resolve("run.mcap");
         RunPlan plan = Recorded.plan(HUNT, 3, 5);
         Recorder recorder = Recorded.begin(plan, file);
@@ -126,7 +126,7 @@ class RecorderTest {
     }
 
     @Test
-    void theFirstDifferenceIsTold() throws Exception {
+    void theFirstDifferenceIsReported() throws Exception {
         Path file = folder.resolve("run.mcap");
         Recorded.run(Recorded.plan(HUNT, 3, 10), Recorded.plan(HUNT, 4, 10), file);
         assertThat(verify(file)).isInstanceOf(Finding.Different.class);

@@ -82,7 +82,7 @@ class DestinationsTest {
     }
 
     @Test
-    void whatLiesInATableIsToldWhereItIsWritten() throws IOException {
+    void whatLiesInATableIsReportedWhereItIsWritten() throws IOException {
         assertThat(notes("1 1; 4 1", NO_CANS)).singleElement().satisfies(note -> {
             assertThat(note.location().line()).isEqualTo(4);
             assertThat(note.message())
@@ -91,7 +91,7 @@ class DestinationsTest {
     }
 
     @Test
-    void aRoomWithoutADoorIsTold() throws IOException {
+    void aRoomWithoutADoorIsReported() throws IOException {
         assertThat(notes("1 1; 12 2", NO_CANS))
                 .singleElement()
                 .satisfies(
@@ -109,14 +109,14 @@ class DestinationsTest {
     }
 
     @Test
-    void manyAreToldInOne() throws IOException {
+    void manyAreReportedInOne() throws IOException {
         assertThat(notes("4 1; 12 1; 12 2; 12 3; 13 2; 1 1", NO_CANS))
                 .singleElement()
                 .satisfies(note -> assertThat(note.message()).contains("5 of 6", "Nor to 2 others"));
     }
 
     @Test
-    void whatIsTypedOrSetByAConfigurationIsToldThere() throws IOException {
+    void whatIsTypedOrSetByAConfigurationIsReportedThere() throws IOException {
         assertThat(plan("1 1", NO_CANS, RunOptions.NONE.withArguments(Map.of("places", "4 1")))
                         .notes())
                 .singleElement()
@@ -141,7 +141,7 @@ class DestinationsTest {
     }
 
     @Test
-    void thingsAndTheirDepotsAreToldToo() throws IOException {
+    void thingsAndTheirDepotsAreReportedToo() throws IOException {
         assertThat(notes("", cans("pose: [12, 3, 0], grippable: true, depot: {at: [[2, 2]]}")))
                 .singleElement()
                 .satisfies(note -> {

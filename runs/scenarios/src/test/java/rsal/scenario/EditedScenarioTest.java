@@ -84,7 +84,7 @@ class EditedScenarioTest {
     }
 
     @Test
-    void tellsWhereItsErrorsAre() {
+    void reportsWhereItsErrorsAre() {
         String text = Scenario.written("patrol").replace("robots:", "robotz:");
         int line = (int) text.substring(0, text.indexOf("robotz:")).lines().count() + 1;
         assertThatThrownBy(() -> Scenario.edited("patrol", text).check())

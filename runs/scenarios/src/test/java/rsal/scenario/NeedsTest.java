@@ -50,7 +50,7 @@ class NeedsTest {
                 "worker | with 'intruder: #d55e00' | intruder: '#d55e00' | none | a BlobFinder",
                 "escape | none | sees: reports | none | a Pilot"
             })
-    void whatIsMissingIsToldWithTheArgumentThatNeedsIt(
+    void whatIsMissingIsReportedWithTheArgumentThatNeedsIt(
             String agent, @Nullable String which, String arguments, @Nullable String devices, String missing) {
         assertThatThrownBy(() -> plan(agent, arguments, devices == null ? "" : devices))
                 .hasMessageContaining("needs.yaml:12:")

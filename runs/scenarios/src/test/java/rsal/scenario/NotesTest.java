@@ -24,7 +24,7 @@ class NotesTest {
     }
 
     @Test
-    void aWorldWithNothingInItIsToldOfWhenItIsReadOrRun() throws IOException {
+    void aWorldWithNothingInItIsReportedWhenItIsReadOrRun() throws IOException {
         String empty = world("rsal: 1\n");
         assertThat(Scenario.scene(empty).warnings())
                 .extracting(Problem::message)
@@ -34,7 +34,7 @@ class NotesTest {
     }
 
     @Test
-    void aWorldWithoutRobotsIsToldOfOnlyWhenItIsRun() throws IOException {
+    void aWorldWithoutRobotsIsReportedOnlyWhenItIsRun() throws IOException {
         String still = world("rsal: 1\nwalls: [{radius: 1, center: [0, 0]}]\n");
         assertThat(Scenario.scene(still).warnings()).isEmpty();
         assertThat(Scenario.load(still).plan(RunOptions.NONE).notes())

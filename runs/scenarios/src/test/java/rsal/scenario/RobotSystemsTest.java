@@ -347,7 +347,7 @@ class RobotSystemsTest {
             fiducial: 11     | count: 3                     | 'robots.hunter.count' is not allowed where robots are
             pose: {free: true} | pose: [[1, 2, 0], [3, 4, 0]] | 'robots.hunter.pose' can't be a list of poses where
             """)
-    void errorsAreToldOnceAndWhereTheyAre(String right, String wrong, String words) {
+    void errorsAreReportedOnceAndWhereTheyAre(String right, String wrong, String words) {
         assertThat(MIXED).contains(right);
         String errors = errors(MIXED.replace(right, wrong));
         assertThat(errors).contains(words).contains("mixed.yaml:");

@@ -647,7 +647,7 @@ class ScenarioTest {
 
     @ParameterizedTest
     @MethodSource("wrongJoins")
-    void errorsOfJoiningAreToldWhereTheyAre(List<String> example) {
+    void errorsOfJoiningAreReportedWhereTheyAre(List<String> example) {
         assertThat(TWO_ROLES).contains(example.get(0));
         String message =
                 errors(TWO_ROLES.replace(example.get(0), example.get(1)).replaceAll("  without: .*\n", ""));
@@ -700,7 +700,7 @@ class ScenarioTest {
     }
 
     @Test
-    void tellsAllErrorsTogether() {
+    void reportsAllErrorsTogether() {
         String text = GOOD.replace("title: A good", "titel: A good")
                 .replace("min: 1", "min: one")
                 .replace("[$start, -1.0, 180]", "[-31.45, -1, 0]")
@@ -716,7 +716,7 @@ class ScenarioTest {
     }
 
     @Test
-    void anErrorIsToldOnceAndNotAgainForWhatFollowsFromIt() {
+    void anErrorIsReportedOnceAndNotAgainForWhatFollowsFromIt() {
         assertThat(errors(GOOD.replace("type: integer, default: 2", "type: integer, default: 9"))
                         .lines())
                 .as("the argument stands for the number of hunters")
@@ -742,7 +742,7 @@ class ScenarioTest {
     }
 
     @Test
-    void errorsOfOptionsAreToldToo() {
+    void errorsOfOptionsAreReportedToo() {
         Scenario scenario = scenario(GOOD);
         assertThatThrownBy(() -> scenario.plan(RunOptions.NONE.withConfiguration("secnd")))
                 .hasMessageContaining("no configuration 'secnd'")
@@ -770,7 +770,7 @@ class ScenarioTest {
     }
 
     @Test
-    void whoWantsJadexIsToldWhatThePageAboutItHasThemType() throws IOException {
+    void whoWantsJadexIsInformedWhatThePageAboutItHasThemType() throws IOException {
         String command = "RSAL_WITH=jadex ./rsal run hunt-and-prey --mas jadex --clock wall";
         assertThatThrownBy(() -> Scenario.load("hunt-and-prey").plan(RunOptions.NONE.inRealTimeOn("jadex")))
                 .hasMessageContaining("Maybe try " + command + " (docs/how-to/jadex.md).");
@@ -805,7 +805,7 @@ class ScenarioTest {
     }
 
     @Test
-    void tellsUnderWhichNamesAFoldersScenarioIsLookedFor() throws IOException {
+    void reportsUnderWhichNamesAFoldersScenarioIsLookedFor() throws IOException {
         Path own = Files.createDirectory(folder.resolve("renamed"));
         Files.writeString(own.resolve("chase.yaml"), GOOD);
         assertThatThrownBy(() -> Scenario.load(own.toString()))

@@ -61,7 +61,7 @@ class WorldScenarioTest {
 
     /// Worlds of Stage and of Gazebo are both called so.
     @Test
-    void whatIsInAWorldTellsWhoseItIs() throws IOException {
+    void whatIsInAWorldSaysWhoseItIs() throws IOException {
         Files.writeString(folder.resolve("hall.world"), YARD);
         RunPlan plan = planned(SCENARIO.replace("  roam: {type: wander, robot: cart}\n", ""));
         assertThat(plan.map()
@@ -177,7 +177,7 @@ class WorldScenarioTest {
             robot: cart                     | robot: position                  | needs a robot with a Pilot
             {type: wander, robot: cart}     | {type: nav, robot: position}     | needs a robot with a Navigator
             """)
-    void errorsAreTold(String right, String wrong, String expected) {
+    void errorsAreReported(String right, String wrong, String expected) {
         assertThat(SCENARIO).contains(right);
         assertThatThrownBy(() -> planned(SCENARIO.replace(right, wrong)))
                 .isInstanceOf(InvalidSettings.class)
@@ -249,7 +249,7 @@ class WorldScenarioTest {
     }
 
     @Test
-    void aRobotThatIsBlockedIsToldAtItsOwnPose() {
+    void aRobotThatIsBlockedIsReportedAtItsOwnPose() {
         assertThatThrownBy(() -> planned("""
                         rsal: 1
                         scenario: visit
@@ -272,7 +272,7 @@ class WorldScenarioTest {
     }
 
     @Test
-    void errorsOfTheWorldAreToldWhereTheyAre() throws IOException {
+    void errorsOfTheWorldAreReportedWhereTheyAre() throws IOException {
         Files.writeString(folder.resolve("hall.world"), "model ( size [1 2] )");
         assertThatThrownBy(() -> planned(SCENARIO))
                 .isInstanceOf(InvalidSettings.class)

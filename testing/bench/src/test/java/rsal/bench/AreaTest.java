@@ -27,7 +27,7 @@ class AreaTest {
     }
 
     @Test
-    void tellsWhatIsLeftOutForWantOfData(@TempDir Path temp) throws IOException {
+    void reportsWhatIsLeftOutForWantOfData(@TempDir Path temp) throws IOException {
         var notes = new ArrayList<String>();
         var assignment = new BenchmarkRequest(
                 Set.of("a"),

@@ -57,7 +57,7 @@ class DispatchTest {
     }
 
     @Test
-    void whoFallsSilentIsToldOfWithinFiveSecondsAndSentAgainWhenItIsBack() {
+    void whoFallsSilentIsReportedWithinFiveSecondsAndSentAgainWhenItIsBack() {
         scene.order("r1", 3, -1);
         scene.order("r2", 4, 0);
         scene.advance(2);
@@ -82,7 +82,7 @@ class DispatchTest {
     }
 
     @Test
-    void tellsWhenARobotsAgentHasEndedOnItsWay() {
+    void reportsWhenARobotsAgentHasEndedOnItsWay() {
         scene.order("r1", 3, -1);
         scene.advance(2);
         assertThat(r1.navigator.driving()).isTrue();

@@ -23,7 +23,7 @@ class NavigationAgentTest {
     private final FakeRobot r1 = scene.robot("r1", "rover");
 
     @Test
-    void drivesWhereItIsToldAndSaysWhenItHasArrived() {
+    void drivesWhereItIsSentAndSaysWhenItHasArrived() {
         scene.start("nav", r1, Map.of());
         scene.order("r1", 3, -1);
         assertThat(r1.navigator.goals).containsExactly(new Pose2d(3, -1, 0));

@@ -42,7 +42,7 @@ class WallFollowTest {
     }
 
     @Test
-    void drivesWhereItIsToldAndThenFollowsTheWallAgain() {
+    void drivesWhereItIsSentAndThenFollowsTheWallAgain() {
         scene.start("wall-follow", r1, Map.of());
         scene.order("r1", 3, 0);
         assertThat(r1.pilot.engaged()).isFalse();

@@ -28,7 +28,7 @@ class WanderTest {
     }
 
     @Test
-    void drivesWhereItIsToldAndThenWandersAgain() {
+    void drivesWhereItIsSentAndThenWandersAgain() {
         scene.start("wander", r1, Map.of());
         scene.order("r1", 3, 0);
         assertThat(r1.pilot.engaged()).isFalse();

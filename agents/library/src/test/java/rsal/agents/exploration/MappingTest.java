@@ -110,7 +110,7 @@ class MappingTest {
     }
 
     @Test
-    void noMoreEndsAreToldThanOthersCanMind() {
+    void noMoreEndsAreReportedThanOthersCanMind() {
         var places = new double[2 * MapEnds.MOST];
         for (int i = 0; i < places.length; i++) {
             places[i] = 100 + 3 * i;

@@ -225,7 +225,7 @@ class CollectTest {
     }
 
     @Test
-    void tellsThatItHasAGripper() {
+    void reportsThatItHasAGripper() {
         near.start();
         explore(Map.of());
         assertThat(scene.platform.directory().offering("gripper"))

@@ -18,7 +18,7 @@ class SwarmMemberTest {
     private final FakeRobot r1 = scene.robot("r1", "rover");
 
     @Test
-    void followsTheWallTellsWhereItIsAndDrivesWhereItIsTold() {
+    void followsTheWallReportsWhereItIsAndDrivesWhereItIsSent() {
         scene.start("swarm", r1, Map.of());
         r1.isAt(1, 2);
         scene.advance(0);

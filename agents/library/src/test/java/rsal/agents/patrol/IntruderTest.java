@@ -143,7 +143,7 @@ class IntruderTest {
     }
 
     @Test
-    void anIntruderTellsNothingUntilOneOfThoseThatWatchIsNear() {
+    void anIntruderSaysNothingUntilOneOfThoseThatWatchIsNear() {
         FakeRobot robot = scene.robot("thief", "thief");
         scene.start("intrude", robot, Map.of("hunter", "guard", "catchDistance", 1.5));
         robot.isAt(0, 0);

@@ -223,7 +223,7 @@ class PatrolTest {
     }
 
     @Test
-    void oneThatJoinsLateTellsOnlyOfVisitsThatItKnows() {
+    void oneThatJoinsLateReportsOnlyOfVisitsThatItKnows() {
         scene.advance(500);
         guard("a", 0);
         order("patrol", THREE, "cycle");

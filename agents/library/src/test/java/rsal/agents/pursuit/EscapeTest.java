@@ -36,7 +36,7 @@ class EscapeTest {
     }
 
     @Test
-    void needsAsManyHuntersAtOnceAsItIsTold() {
+    void needsAsManyHuntersAtOnceAsItIsAsked() {
         preyAtOrigin(Map.of("catchers", 2));
         scene.report("h1", "hunter", 1, 0);
         scene.report("h1", "hunter", 1.2, 0);

@@ -57,7 +57,7 @@ class MarkerSightTest {
     }
 
     @Test
-    void preyThatDoNotWantToBeFoundTellNobodyWhereTheyAre() {
+    void preyThatDoNotWantToBeFoundReportTheirPosesToNobody() {
         preyAtOrigin("escape", Map.of("hunter", "hunter", "sees", "fiducials"));
         scene.hear("operator", PoseRequest.TOPIC, new PoseRequest("p1"));
         scene.advance(5);
@@ -89,7 +89,7 @@ class MarkerSightTest {
     }
 
     @Test
-    void cleverPreyRunFromHuntersThatTheySeeAndTellTheOthersTwiceASecond() {
+    void cleverPreyRunFromHuntersThatTheySeeAndInformTheOthersTwiceASecond() {
         hunterAt(9, "bids");
         p1.places.result = new PlaceFinder.Result.Found(List.of(new Point2d(20, 0), new Point2d(-20, 0)));
         preyAtOrigin("evade", Map.of("hunter", "hunter", "sees", "fiducials"));
@@ -106,7 +106,7 @@ class MarkerSightTest {
     }
 
     @Test
-    void cleverPreyTakeNoPreyThatHuntersTellOfForAHunter() {
+    void cleverPreyTakeNoPreyThatHuntersReportForAHunter() {
         preyAtOrigin("evade", Map.of("hunter", "hunter", "sees", "fiducials"));
         scene.hear("h9", Sighting.TOPIC, new Sighting("p1", "prey", at(0)));
         scene.advance(2);

@@ -134,7 +134,7 @@ class RescueTest {
     }
 
     @Test
-    void aVictimIsToldOfAgainUntilSomebodySaysThatItWasHelped() {
+    void aVictimIsReportedAgainUntilSomebodySaysThatItWasHelped() {
         scout(5);
         sees("scout", 3, 2);
         scene.advance(16);
@@ -146,7 +146,7 @@ class RescueTest {
     }
 
     @Test
-    void markersThatCannotBeReadAreNotToldOf() {
+    void markersThatCannotBeReadAreNotReported() {
         scout(5);
         finders.get("scout").sees(OptionalInt.empty(), 7, 0, scene.scheduler.instant());
         scene.advance(10);
@@ -195,7 +195,7 @@ class RescueTest {
     }
 
     @Test
-    void explorersStayWhereTheyAreIfToldTo() {
+    void explorersStayWhereTheyAreIfAskedTo() {
         robot("scout", "stays", 5, false, Map.of("returns", false));
         scene.advance(2);
         stands("stays", 30);

@@ -300,7 +300,7 @@ class MindTest {
     }
 
     @Test
-    void lookingDoesAnAgentNoHarmThatCannotTell() {
+    void lookingDoesAnAgentNoHarmThatCannotShowItsMind() {
         var tired = new boolean[1];
         agent(mind -> mind.goal("explore")
                 .priority(() -> {

@@ -130,7 +130,7 @@ class TeamBoardTest {
     }
 
     @Test
-    void asMuchAsIsAskedForIsToldAndHowMuchIsLeft() {
+    void asMuchAsIsAskedForIsReportedAndHowMuchIsLeft() {
         keeper(run, "master");
         var amy = new User(run, "amy");
         for (int i = 0; i < 10; i++) {
@@ -324,7 +324,7 @@ class TeamBoardTest {
     }
 
     @Test
-    void masterThatIsNotHeardIsToldAndHearsEverythingWhenItIsBack() {
+    void masterThatIsNotHeardIsReportedAndHearsEverythingWhenItIsBack() {
         var cut = new AtomicBoolean();
         run.deliverBy((message, listener) ->
                 cut.get() && (listener.equals("master") || message.sender().equals("master"))
@@ -425,7 +425,7 @@ class TeamBoardTest {
     }
 
     @Test
-    void quickChangesAreToldAsOne() {
+    void quickChangesAreReportedAsOne() {
         keeper(run, "master");
         var amy = new User(run, "amy");
         var heard = new ArrayList<String>();
@@ -488,7 +488,7 @@ class TeamBoardTest {
     }
 
     @Test
-    void equalSeedsTellTheSame() {
+    void equalSeedsGiveTheSame() {
         assertThat(stormOf(7)).isEqualTo(stormOf(7)).isNotEqualTo(stormOf(8));
     }
 

@@ -230,7 +230,7 @@ class AgentPlatformTest {
     }
 
     @Test
-    void listenerOfADeviceThatThrowsEndsItsAgentAndIsToldNoMore() {
+    void listenerOfADeviceThatThrowsEndsItsAgentAndIsCalledNoMore() {
         var fake = new BaseRobot();
         run.start(
                 "amy",
@@ -599,7 +599,7 @@ class AgentPlatformTest {
     }
 
     @Test
-    void thoseWhoOnlyCareWhoGoesAreToldThatAfterItsLastWords() {
+    void thoseWhoOnlyCareWhoGoesAreInformedAfterItsLastWords() {
         run.start("zoe", self -> {
             self.directory().onDeparture(went -> log.add(went.agent().name() + " went"));
             self.subscribe(WORDS, message -> log.add(message.content()));

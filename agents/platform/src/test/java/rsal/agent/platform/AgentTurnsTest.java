@@ -9,7 +9,7 @@ class AgentTurnsTest {
     private final AgentTurns turns = new AgentTurns();
 
     @Test
-    void tellsWhoseTurnItIsAndWhichOne() {
+    void reportsWhoseTurnItIsAndWhichOne() {
         AgentTurns.Turn amy = turns.of("amy");
         AgentTurns.Turn bob = turns.of("bob");
         assertThat(turns.inProgress()).isEmpty();
@@ -35,7 +35,7 @@ class AgentTurnsTest {
     }
 
     @Test
-    void tellsWhoseCodeRunsWhere() throws InterruptedException {
+    void reportsWhoseCodeRunsWhere() throws InterruptedException {
         assertThat(turns.thread("amy")).isEmpty();
         AgentTurns.Turn amy = turns.of("amy");
         Thread other = Thread.ofPlatform().start(() -> {

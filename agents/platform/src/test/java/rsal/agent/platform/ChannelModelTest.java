@@ -108,7 +108,7 @@ class ChannelModelTest {
     }
 
     @Test
-    void isToldOnceWhenAnAgentHearsAtOnceWithSeveralEars() {
+    void isReportedOnceWhenAnAgentHearsAtOnceWithSeveralEars() {
         run.start("amy", self -> {
             self.subscribe(WORDS, _ -> {});
             self.subscribe(WORDS, _ -> {});
@@ -185,7 +185,7 @@ class ChannelModelTest {
     }
 
     @Test
-    void isToldOnceWhenAnAgentHears() {
+    void isReportedOnceWhenAnAgentHears() {
         run.start("amy", self -> {
             self.subscribe(WORDS, _ -> {});
             self.subscribe(WORDS, _ -> {});
@@ -221,7 +221,7 @@ class ChannelModelTest {
     }
 
     @Test
-    void isToldOnceWhenAllCopiesCameInVain() {
+    void isReportedOnceWhenAllCopiesCameInVain() {
         run.start("amy", self -> {
             self.subscribe(WORDS, _ -> {});
             self.subscribe(WORDS, _ -> {});
@@ -249,7 +249,7 @@ class ChannelModelTest {
     }
 
     @Test
-    void isNotToldOfOneThatHasEndedMeanwhile() {
+    void isNotInformedOfOneThatHasEndedMeanwhile() {
         startListener("amy");
         startSpeaker("bob", "hi");
         run.platform.deliverBy(new ChannelModel() {

@@ -42,7 +42,7 @@ class ServiceDescriptionTest {
     }
 
     @Test
-    void othersAreToldWhatIsOffered() {
+    void othersAreInformedOfWhatIsOffered() {
         run.start(
                 "zoe",
                 self -> self.directory().onChange(change -> {

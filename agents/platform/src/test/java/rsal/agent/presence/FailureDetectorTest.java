@@ -101,7 +101,7 @@ class FailureDetectorTest {
     }
 
     @Test
-    void oneThatTellsItsPoseIsNotAsked() {
+    void oneThatReportsItsPoseIsNotAsked() {
         List<String> said = run.transcript();
         run.start("amy", self -> {
             Presence.begin(self);

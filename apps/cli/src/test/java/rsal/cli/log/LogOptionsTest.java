@@ -39,7 +39,7 @@ class LogOptionsTest {
     }
 
     @Trials({"map", "localize"})
-    void tellsThatHeadingsAreDegrees(String command) throws IOException {
+    void reportsThatHeadingsAreDegrees(String command) throws IOException {
         String degrees = HEADINGS.matcher(RoomLog.whole()).replaceAll(LogOptionsTest::inDegrees);
         assertThat(reported(command, degrees).lines().filter(line -> line.contains("probably degrees")))
                 .singleElement()
@@ -57,7 +57,7 @@ class LogOptionsTest {
     }
 
     @Trials({"map", "localize"})
-    void tellsThatAllScansHaveOneTime(String command) throws IOException {
+    void reportsThatAllScansHaveOneTime(String command) throws IOException {
         String oneTime = RoomLog.whole().replaceAll("(?m) \\S+ h \\S+$", " 12.5 h 12.5");
         assertThat(reported(command, oneTime).lines().filter(line -> line.contains("one time")))
                 .singleElement()

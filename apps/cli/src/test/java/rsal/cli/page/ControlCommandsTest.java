@@ -32,14 +32,14 @@ class ControlCommandsTest {
     }
 
     @Test
-    void whyACommandWasRefusedIsToldAlsoWhenControlCannotBeGivenBack() {
+    void whyACommandWasRefusedIsReportedAlsoWhenControlCannotBeGivenBack() {
         assertThatThrownBy(() -> Controlled.andThen(() -> refuse("The run is over."), () -> refuse("Nobody is there.")))
                 .hasMessage("The run is over.")
                 .hasSuppressedException(new Unreachable("Nobody is there."));
     }
 
     @Test
-    void thatControlCannotBeGivenBackIsTold() {
+    void thatControlCannotBeGivenBackIsReported() {
         assertThatThrownBy(() -> Controlled.andThen(() -> "answer", () -> refuse("Nobody is there.")))
                 .hasMessage("Nobody is there.");
     }

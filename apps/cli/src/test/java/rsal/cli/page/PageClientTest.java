@@ -32,7 +32,7 @@ class PageClientTest {
     }
 
     @Test
-    void thatARunAnswersLateIsToldAsSuch() throws IOException {
+    void thatARunAnswersLateIsReportedAsSuch() throws IOException {
         try (var mute = listening()) { // connections are made, and nobody reads from them
             var client = new PageClient(mute.getLocalPort(), PATIENCE);
             assertThatThrownBy(() -> client.get("/api/status"))

@@ -20,7 +20,7 @@ class HealthLinesTest {
     }
 
     @Test
-    void tellsAtOnceThatADeviceFailsAndWorksAgain() {
+    void reportsAtOnceThatADeviceFailsAndWorksAgain() {
         assertThat(tells(1_000, "is stale: no scan")).isTrue();
         assertThat(tells(1_200, "works")).isTrue();
         assertThat(lines.due(Duration.ofSeconds(60))).isEmpty();
@@ -43,7 +43,7 @@ class HealthLinesTest {
     }
 
     @Test
-    void tellsAtOnceWhatChangesAfterAQuietTime() {
+    void reportsAtOnceWhatChangesAfterAQuietTime() {
         tells(1_000, "is stale: no scan");
         tells(1_200, "works");
         assertThat(tells(11_200, "is stale: no scan")).isTrue();
@@ -60,7 +60,7 @@ class HealthLinesTest {
     }
 
     @Test
-    void theEndTellsWhatIsStillHeld() {
+    void theEndReportsWhatIsStillHeld() {
         tells(1_000, "is stale: no scan");
         tells(1_200, "works");
         tells(1_300, "is stale: no scan");

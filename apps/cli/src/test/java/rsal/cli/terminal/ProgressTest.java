@@ -9,7 +9,7 @@ import rsal.engine.report.RunEvent;
 
 class ProgressTest {
     @Test
-    void tellsWhenWhatHappenedToWhom() {
+    void reportsWhenWhatHappenedToWhom() {
         var time = Duration.ofMillis(12_340);
         assertThat(Progress.line(new RunEvent(1, time, "collision", "hunter-1", "ran into wall", Optional.empty())))
                 .isEqualTo("    12.3 s  hunter-1: ran into wall");
@@ -18,7 +18,7 @@ class ProgressTest {
     }
 
     @Test
-    void tellsOfRobotsThatDidNotGetWhereTheyWereSent() {
+    void reportsRobotsThatDidNotGetWhereTheyWereSent() {
         assertThat(Progress.tells(event("unreached", "can't get to (3.00, 1.00), 0°: stuck")))
                 .isTrue();
         assertThat(Progress.tells(event("collision", "ran into wall"))).isTrue();

@@ -46,7 +46,7 @@ class ResultTest {
     }
 
     @Test
-    void tellsWhatWasSetAndWhoJoined() {
+    void reportsWhatWasSetAndWhoJoined() {
         RunPlan plan = plan(
                 RunOptions.NONE.withArguments(Map.of("guards", "3")).withSeed(4).withJoined("distribution:found"));
         assertThat(new ResultText(plan, result(plan)).toString())

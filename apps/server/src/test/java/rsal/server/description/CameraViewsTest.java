@@ -22,7 +22,7 @@ class CameraViewsTest {
     }
 
     @Test
-    void tellsWhereBlobsAreInWhatACameraSees() {
+    void reportsWhereBlobsAreInWhatACameraSees() {
         var near = new Blob(new Rgb(255, 0, 0), 0, 0, 20, 10, 10, 5, 200, 1.5);
         var far = new Blob(new Rgb(0, 0, 255), 40, 0, 50, 10, 45, 5, 100, Double.NaN);
         var seen = new Blobs(new Pose2d(0.1, 0, 0.5), 80, 60, 0.8, List.of(near, far));

@@ -26,7 +26,7 @@ class DeviceMountingsTest {
     }
 
     @Test
-    void tellsWhereEachSensorOfADeviceIs() {
+    void reportsWhereEachSensorOfADeviceIs() {
         var sonar = new RangeArray(List.of(AHEAD, LEFT), 0.3, 0.1, 5, new float[2]);
 
         assertThat(DeviceMountings.of(List.of(reading("sonar", sonar))).mounts())
@@ -34,7 +34,7 @@ class DeviceMountingsTest {
     }
 
     @Test
-    void tellsNothingOfDevicesThatDoNotTellIt() {
+    void saysNothingOfDevicesThatDoNotReportIt() {
         var readings = List.of(
                 reading("base", new Odometry(AHEAD, Twist2d.STOP, false)),
                 reading("camera", new Blobs(LEFT, 80, 60, 0.8, List.of())),

@@ -97,7 +97,7 @@ class PlottableNumbersTest {
     }
 
     @Test
-    void whatNobodyKnowsIsToldAsWell() {
+    void whatNobodyKnowsIsReportedAsWell() {
         var weather = new Weather(new Wind(3.5, 7, Math.PI), Double.NaN, "fair", List.of("cirrus", "cumulus"));
         assertThat(words(weather))
                 .containsExactly(

@@ -128,7 +128,7 @@ class ReadingWordsTest {
     }
 
     @Test
-    void aBatterySaysWhatIsLeftAsFarAsItCanTell() {
+    void aBatteryReportsWhatIsLeftAsFarAsItCan() {
         assertThat(words(BatteryState.of(3000, 4000, -20, BatteryState.Charging.DISCHARGING)))
                 .containsExactly("level: 75.0 %", "charge: 3000 of 4000 J", "power: -20.0 W", "state: discharging");
         double endless = Double.POSITIVE_INFINITY;
@@ -151,7 +151,7 @@ class ReadingWordsTest {
     }
 
     @Test
-    void ofManyOnlyTheFirstAreTold() {
+    void ofManyOnlyTheFirstAreReported() {
         var marker = new Fiducial(OptionalInt.of(7), new Pose2d(3, 4, 0));
         var seen = new Fiducials(AHEAD, 3, 8, Collections.nCopies(50, marker));
         assertThat(words(seen)).hasSize(ReadingWords.MOST_FACTS).contains("marker 7: 5.00 m, 53° left");
@@ -162,7 +162,7 @@ class ReadingWordsTest {
     }
 
     @Test
-    void bumpersAndActuatorsAreToldToo() {
+    void bumpersAndActuatorsAreReportedToo() {
         assertThat(words(new BumperState(List.of(AHEAD, AHEAD), List.of(false, true))))
                 .containsExactly("bumper 1: free", "bumper 2: pressed");
         assertThat(words(new ActuatorState(
@@ -188,7 +188,7 @@ class ReadingWordsTest {
     }
 
     @Test
-    void basesPilotsLightsAndMappersAreToldToo() {
+    void basesPilotsLightsAndMappersAreReportedToo() {
         var velocity = new Twist2d(0.3, 0, Math.toRadians(-12));
         assertThat(words(new Odometry(Pose2d.ofDegrees(1, -2, 90), velocity, true)))
                 .containsExactly(
@@ -202,13 +202,13 @@ class ReadingWordsTest {
     }
 
     @Test
-    void ofOthersTheNumbersAreTold() {
+    void ofOthersTheNumbersAreReported() {
         assertThat(words(new Weather(21.123456, 3, Double.NaN)))
                 .containsExactly("temperature: 21.12", "drops: 3", "wind: none");
     }
 
     @Test
-    void itsAgeIsTold() {
+    void itsAgeIsReported() {
         var late = new Reading("device", new Stamped<>(Instant.EPOCH, "r1/device", 7), Duration.ofMillis(1250));
         assertThat(ReadingWords.of(List.of(late)).readings())
                 .extracting(ReadingInfo::age)

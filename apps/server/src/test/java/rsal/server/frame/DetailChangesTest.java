@@ -49,7 +49,7 @@ class DetailChangesTest {
     }
 
     @Test
-    void tellsOnlyWhatIsAnother() {
+    void reportsOnlyWhatIsAnother() {
         var changes = new DetailChanges();
         assertThat(changes.version()).isZero();
         changes.take(details(List.of(robot("a", ""), robot("b", "")), List.of(agent("x", ""))));
@@ -70,7 +70,7 @@ class DetailChangesTest {
     /// A viewer that is told at some looks and not at others knows all, as one that is told all at each.
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5})
-    void whoIsToldChangesKnowsAll(int seed) {
+    void whoIsSentChangesKnowsAll(int seed) {
         var random = new Random(seed);
         var changes = new DetailChanges();
         var robots = new ArrayList<>(List.of(robot("r0", "")));

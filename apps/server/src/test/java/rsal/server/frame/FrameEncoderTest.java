@@ -92,7 +92,7 @@ class FrameEncoderTest {
     }
 
     @Test
-    void tellsNoEstimateThatLiesNobodyKnowsWhere() {
+    void reportsNoEstimateThatLiesNobodyKnowsWhere() {
         var truth = Optional.of(Pose2d.ORIGIN);
         var estimate = PoseEstimate.of(new Pose2d(1, 2, 0), Covariance2d.ofDeviations(0.1, 0.1, 0.1));
         RobotView reported = robot("r", truth, Optional.of(estimate), Optional.empty(), Optional.empty());
@@ -108,7 +108,7 @@ class FrameEncoderTest {
     }
 
     @Test
-    void tellsWhereOdometryBeganUnlessTheLocalizerIsSilent() {
+    void reportsWhereOdometryBeganUnlessTheLocalizerIsSilent() {
         var odometry = new Odometry(new Pose2d(1, 0, 0), Twist2d.STOP, false);
         var estimate = Optional.of(PoseEstimate.of(new Pose2d(5, 2, 0), Covariance2d.ofDeviations(0.1, 0.1, 0.1)));
         assertThat(odom(odometry, 100, estimate)).contains(new Pose2d(4, 2, 0));

@@ -38,7 +38,7 @@ class ObjectTrackerTest {
     }
 
     @Test
-    void knowsWhatIsElsewhereThanItWasTold() {
+    void knowsWhatIsElsewhereThanItWasReported() {
         surveyor.look(List.of(thing(1, 5), thing(2, 6)));
         assertThat(surveyor.moved()).isEmpty();
         ObjectRegistry before = surveyor.roster();
@@ -62,7 +62,7 @@ class ObjectTrackerTest {
     }
 
     @Test
-    void tellsNoMoreThanCanBeDrawn() {
+    void reportsNoMoreThanCanBeDrawn() {
         var things = new ArrayList<Standing>();
         for (int number = 1; number <= ObjectTracker.MOST_THINGS + 7; number++) {
             things.add(thing(2 * number, 0));

@@ -83,7 +83,7 @@ class DownsampledSeriesTest {
     }
 
     @Test
-    void tellsWhatBecameAnother() {
+    void reportsWhatBecameAnother() {
         var words = new DownsampledSeries<Optional<String>>(10_000, SPACING, Bytes::beyond);
         words.keep(seconds(1), Optional.of("a"));
         words.keep(seconds(2), Optional.empty());

@@ -176,7 +176,7 @@ class HistoryTest {
     }
 
     @Test
-    void whoLooksBackIsToldWhoseMotorsAreOffNow() {
+    void whoLooksBackIsInformedWhoseMotorsAreOffNow() {
         var history = new History(feed);
         keep(history, 0);
         keep(history, 50);
@@ -209,7 +209,7 @@ class HistoryTest {
     }
 
     @Test
-    void tellsWhereRobotsWentBeforeAMoment() {
+    void reportsWhereRobotsWentBeforeAMoment() {
         var history = new History(feed);
         assertThat(history.trails(Duration.ofSeconds(9)).robots()).isEmpty();
         for (int tenth = 0; tenth <= 600; tenth++) {

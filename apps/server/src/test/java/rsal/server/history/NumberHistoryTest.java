@@ -36,7 +36,7 @@ class NumberHistoryTest {
     }
 
     @Test
-    void tellsWhatANumberWasAndWhereItWasNone() {
+    void reportsWhatANumberWasAndWhereItWasNone() {
         var large = new NumberHistory();
         large.keep("r1", numbers(0, device("base", 1, 2)));
         large.keep("r1", numbers(0.5, device("base", 3, Double.NaN)));
@@ -68,7 +68,7 @@ class NumberHistoryTest {
     }
 
     @Test
-    void whereNothingIsToldItDoesNotGrowForEver() {
+    void whereNothingIsReportedItDoesNotGrowForEver() {
         for (int i = 0; i < 100; i++) {
             history.keep("r1", numbers(i));
         }

@@ -148,7 +148,7 @@ public class RecordedPastTest {
     }
 
     @Test
-    void aViewerIsToldWhetherItSeesWhatFollows() throws Exception {
+    void aViewerIsInformedWhetherItSeesWhatFollows() throws Exception {
         Path file = folder.resolve("run.mcap");
         record(plan("hunt-and-prey", 5), file);
         try (Playback playback = open(file)) {

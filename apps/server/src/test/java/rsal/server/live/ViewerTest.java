@@ -29,7 +29,7 @@ class ViewerTest {
     private ObjectRegistry roster = new ObjectRegistry(1, Map.of(), 0);
 
     @Test
-    void isToldEverythingWhenItComes() {
+    void isSentEverythingWhenItComes() {
         offer(feed(1, 40, 3));
         assertThat(line.takeAll()).containsExactly("run 1", "details of 40", "frame 40", "events 1-3");
     }
@@ -155,7 +155,7 @@ class ViewerTest {
     }
 
     @Test
-    void isToldWhoHasComeBeforeTheFrameThatHasThem() {
+    void isInformedWhoHasComeBeforeTheFrameThatHasThem() {
         offer(feed(1, 1, 0));
         line.takeAll();
         robots = 5;
@@ -167,7 +167,7 @@ class ViewerTest {
     }
 
     @Test
-    void isToldOfEachThingOnceAndOfEachThatGoes() {
+    void isInformedOfEachThingOnceAndOfEachThatGoes() {
         roster = things(1, 2, 3);
         offer(feed(1, 1, 0));
         assertThat(line.takeAll()).containsExactly("run 1", "things +[1, 2, 3] -[]", "details of 1", "frame 1");
@@ -180,7 +180,7 @@ class ViewerTest {
     }
 
     @Test
-    void isToldOfManyThingsLittleByLittle() {
+    void isInformedOfManyThingsLittleByLittle() {
         roster = things(IntStream.rangeClosed(1, 2 * ObjectRegistry.BATCH + 1).toArray());
         for (int offers = 0; offers < 5; offers++) {
             offer(feed(1, 1, 0));
@@ -191,7 +191,7 @@ class ViewerTest {
     }
 
     @Test
-    void isToldHowFarItCanLookBackAlongWithAFrame() {
+    void isInformedHowFarItCanLookBackAlongWithAFrame() {
         for (int offer = 1; offer <= 40; offer++) {
             int frame = 1 + (offer - 1) / 5; // of a run that goes by too fast for more
             viewer.offer(feed(1, frame, 0), past(offer), Duration.ZERO);
@@ -204,7 +204,7 @@ class ViewerTest {
     }
 
     @Test
-    void isToldHowFarItCanLookBackEvenWhereNoFrameComes() {
+    void isInformedHowFarItCanLookBackEvenWhereNoFrameComes() {
         viewer.offer(feed(1, 1, 0), past(1), Duration.ZERO);
         line.takeAll();
         for (int offer = 1; offer <= 40; offer++) {

@@ -44,7 +44,7 @@ class ScenarioCatalogTest {
     }
 
     @Test
-    void readsFilesAnewAndTellsWhatIsWrongWithThem() throws IOException {
+    void readsFilesAnewAndReportsWhatIsWrongWithThem() throws IOException {
         Path own = Files.writeString(folder.resolve("own.yaml"), TEXT);
         var catalog = new ScenarioCatalog(List.of(own.toString(), "hunt-and-prey"));
         byte[] first = catalog.picture(own.toString());

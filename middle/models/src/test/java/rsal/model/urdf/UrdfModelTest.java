@@ -90,7 +90,7 @@ class UrdfModelTest {
     }
 
     @Test
-    void whatIsLeftOutIsTold() {
+    void whatIsLeftOutIsReported() {
         assertThat(made(CART).notes())
                 .extracting(Problem::toString)
                 .anySatisfy(note -> assertThat(note).contains("cart.urdf:21:", "not a box, cylinder or sphere"));
@@ -117,7 +117,7 @@ class UrdfModelTest {
 
     /// What is cut, doubled or changed anywhere gives a model, or an error that is told.
     @Test
-    void nonsenseIsTold() {
+    void nonsenseIsReported() {
         for (long seed = 0; seed < (Boolean.getBoolean("rsal.test.all") ? 2000 : 400); seed++) {
             var random = new SplittableRandom(seed);
             var text = new StringBuilder(CART);

@@ -153,7 +153,7 @@ class AmclJudgementTest {
     }
 
     @Test
-    void sonarsDoNotTellThatItWasCarried() {
+    void sonarsDoNotShowThatItWasCarried() {
         amcl.start(PoseEstimate.of(MIDDLE, KNOWN));
         look(beams(8, 0, 0));
         Beams laser = beams(0, 20, 0);
@@ -167,7 +167,7 @@ class AmclJudgementTest {
     /// Nine tenths of the weights in one hypothesis, which says that it is localized.
     @ParameterizedTest
     @CsvSource({"0.92, 0.08, true", "0.88, 0.12, false", "1.84, 0.16, true", "0.46, 0.04, true", "0.08, 0.92, true"})
-    void whoIsToldOnePlaceIsSureOfItAtOnce(double one, double other, boolean sure) {
+    void whoIsGivenOnePlaceIsSureOfItAtOnce(double one, double other, boolean sure) {
         amcl.start(PoseEstimate.of(MIDDLE, KNOWN));
         look(beams(8, 0, 0)); // what was before does not count
         amcl.start(belief(Quality.LOCALIZED, one, other));
@@ -184,7 +184,7 @@ class AmclJudgementTest {
     /// left of the confidence is 0.97 of it by each; half of that where it is not sure, from the fifth on; and
     /// a tenth where it is lost, from the thirtieth on.
     @Test
-    void blindItTellsWhatTheWheelsTell() {
+    void blindItReportsWhatTheWheelsSay() {
         amcl.start(PoseEstimate.of(MIDDLE, KNOWN));
         PoseEstimate before = look(beams(40, 0, 0));
         assertThat(before.quality()).isEqualTo(Quality.LOCALIZED);
@@ -314,7 +314,7 @@ class AmclJudgementTest {
 
     /// A square hall looks the same from four sides: a robot that is told nothing never knows.
     @Test
-    void whoStartsAnywhereTellsAllPlacesThatLookTheSame() {
+    void whoStartsAnywhereReportsAllPlacesThatLookTheSame() {
         amcl.startAnywhere();
         Pose2d truth = new Pose2d(2, 3.5, 0);
         var seen = new Seen(new DrawnMap(HALL.grid, Map.of()));

@@ -72,7 +72,7 @@ class AmclTest {
     @Trials(
             value = {"1", "2", "3", "4", "5", "6"},
             landing = 2)
-    void findsItselfWithoutBeingToldWhereItIs(long seed) {
+    void findsItselfWithoutAGivenPose(long seed) {
         var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(seed));
         Pose2d truth = Seen.ROOM.pose('a', -40.0 * seed);
 
@@ -202,7 +202,7 @@ class AmclTest {
     }
 
     @Test
-    void doesNotKnowThatItIsWhereItWasToldWhenItSeesNothing() {
+    void doesNotKnowThatItIsAtTheGivenPoseWhenItSeesNothing() {
         var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(1));
         amcl.start(PoseEstimate.of(Seen.ROOM.pose('a', 0), Covariance2d.ofDeviations(0.1, 0.1, 0.1)));
         PoseEstimate reported = amcl.update(Pose2d.ORIGIN, Seen.NOTHING);
@@ -483,7 +483,7 @@ class AmclTest {
     }
 
     @Test
-    void aPoseThatIsToldEndsTheAmbiguity() {
+    void aPoseThatIsGivenEndsTheAmbiguity() {
         var amcl = new Amcl(ROOM, Amcl.Settings.of(150, 3000), new SplittableRandom(1));
         drive(amcl, SEEN, Seen.ROOM.pose('a', 0), Pose2d.ORIGIN, 3);
 
@@ -573,7 +573,7 @@ class AmclTest {
     }
 
     @Test
-    void aMapWithoutWallsOrFreeCellsTellsNothing() {
+    void aMapWithoutWallsOrFreeCellsSaysNothing() {
         for (String drawing : List.of("...\n...\n", "???\n")) {
             var map = new LocalizationMap(DrawnMap.grid(0.5, drawing).grid(), 0.1, 0.05);
             var amcl = new Amcl(map, Amcl.Settings.of(50, 200), new SplittableRandom(1));

@@ -55,7 +55,7 @@ class BeamModelTest {
     }
 
     @Test
-    void aBeamThatLeavesTheMapTellsNothingWhereverItEnds() {
+    void aBeamThatLeavesTheMapSaysNothingWhereverItEnds() {
         var cells = new byte[10_000];
         cells[0] = OccupancyGrid.OCCUPIED; // far aside
         var open = new OccupancyGrid(100, 100, 0.05, 0, 0, cells);

@@ -46,7 +46,7 @@ class ConesTest {
     }
 
     @Test
-    void tellsTheSameHoweverOftenItWasAsked() {
+    void reportsTheSameHoweverOftenItWasAsked() {
         var random = new SplittableRandom(1);
         for (int i = 0; i < 200; i++) {
             Pose2d sensor = free(random);
@@ -59,7 +59,7 @@ class ConesTest {
     }
 
     @Test
-    void tellsAllThreadsTheSame() throws Exception {
+    void reportsAllThreadsTheSame() throws Exception {
         var random = new SplittableRandom(1);
         List<Pose2d> sensors = Stream.generate(() -> free(random)).limit(50_000).toList();
         var shared = new Cones(FIELD, ASIDE);

@@ -20,7 +20,7 @@ class OdometryModelTest {
     private static final OdometryModel EXACT = new OdometryModel(0, 0, 0);
 
     @Test
-    void withoutNoiseAllGoTheWayThatOdometryTells() {
+    void withoutNoiseAllFollowTheOdometry() {
         Pose2d old = new Pose2d(1, 2, 0.5);
         for (Pose2d way : new Pose2d[] {
             new Pose2d(0.3, 0.1, 0.4), new Pose2d(-0.2, 0.05, -0.3), new Pose2d(0, 0, 3), new Pose2d(0, 0, 0)
@@ -68,7 +68,7 @@ class OdometryModelTest {
     }
 
     @Test
-    void anOmnidirectionalBaseSlidesWhereOdometryTellsAndErrsAlongAndAcross() {
+    void anOmnidirectionalBaseSlidesAsOdometrySaysAndErrsAlongAndAcross() {
         var exact = new OdometryModel(0, 0, 0, 0, Base.OMNIDIRECTIONAL);
         Pose2d old = new Pose2d(1, 2, 0.5);
         for (Pose2d way : new Pose2d[] {new Pose2d(0, 0.4, 0), new Pose2d(-0.3, 0.1, 0.2), new Pose2d(0, 0, 1)}) {

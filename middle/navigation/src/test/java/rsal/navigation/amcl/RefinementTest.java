@@ -36,7 +36,7 @@ class RefinementTest {
     }
 
     @Test
-    void staysWhereACorridorTellsNothing() {
+    void staysWhereACorridorSaysNothing() {
         DrawnMap corridor = DrawnMap.grid(0.1, """
                 ############################################################
                 ............................................................

@@ -21,7 +21,7 @@ class TrackingMonitorTest {
         "6, 0, 54, true", // somebody all around, or elsewhere
         "20, 40, 0, true"
     })
-    void tellsAPlaceThatChangedFromAWrongPose(int hits, int through, int shorter, boolean refuted) {
+    void reportsAPlaceThatChangedFromAWrongPose(int hits, int through, int shorter, boolean refuted) {
         monitor.trust();
         for (int i = 0; i < 60; i++) {
             monitor.add(hits, through, shorter);

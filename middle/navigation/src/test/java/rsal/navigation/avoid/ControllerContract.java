@@ -116,7 +116,7 @@ public abstract class ControllerContract {
     }
 
     @Test
-    void tellsTheWayThatItMeansToGo() {
+    void reportsThePathThatItMeansToTake() {
         Controller planner = planner(BOX);
         assertThat(planner.predictedTrajectory()).isEmpty();
         var nothing = new Obstacles(VIEW);
@@ -175,7 +175,7 @@ public abstract class ControllerContract {
     /// free not only as far as they need to stop.
     ///
     /// @param inside how far a drum may reach into the outline on such a way [m]
-    protected void assertTellsFreeWays(long seed, double inside) {
+    protected void assertReportsFreePaths(long seed, double inside) {
         var random = new SplittableRandom(seed);
         var drums = new ArrayList<Point2d>();
         for (int i = 0; i < 25; i++) {
@@ -411,12 +411,12 @@ public abstract class ControllerContract {
             for (int beat = 0; beat * BEAT < seconds && pose.position().distanceTo(goal) > 0.3; beat++) {
                 Target target = Target.at(pose.inverse().transform(goal), true);
                 Twist2d command = planner.drive(look(), target, motion());
-                assertTellsAWay(command);
+                assertReportsAPath(command);
                 move(command);
             }
         }
 
-        private void assertTellsAWay(Twist2d command) {
+        private void assertReportsAPath(Twist2d command) {
             List<Point2d> reported = planner.predictedTrajectory();
             if (Math.abs(command.vx()) < 0.01) {
                 assertThat(reported).isEmpty();

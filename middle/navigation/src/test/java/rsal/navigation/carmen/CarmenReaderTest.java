@@ -107,7 +107,7 @@ class CarmenReaderTest {
     }
 
     @Test
-    void readsALaserThatTellsItsAnglesAndMount() throws IOException {
+    void readsALaserThatGivesItsAnglesAndMount() throws IOException {
         read("ROBOTLASER1 0 -1.0 2.0 0.5 20 0.01 0 5 1 2 3 25 4 2 7 8 1.2 1 0 1 1 0 0 0 0 0 0 12 h 13");
 
         Scan scan = scans().getFirst();
@@ -119,7 +119,7 @@ class CarmenReaderTest {
     }
 
     @Test
-    void aRawLaserDoesNotTellWhereItWas() throws IOException {
+    void aRawLaserDoesNotSayWhereItWas() throws IOException {
         read("RAWLASER1 0 -1.570796 3.141593 0.5 81.9 0.01 0 3 1 2 3 0 12 h 13");
 
         assertThat(scans().getFirst().poses()).isEqualTo(new Poses.Unknown());
@@ -164,7 +164,7 @@ class CarmenReaderTest {
                 "robot_frontlaser_side_offset 250 nohost 0 | an impossible mount | '250.0', not -1.5 to 1.5 m",
                 "robot_frontlaser_angular_offset 180 | an impossible mount | '180.0', not -6.3 to 6.3 rad"
             })
-    void aMountThatCannotBeIsToldAndNotUsed(String parameter, String reason, String reported) throws IOException {
+    void aMountThatCannotBeIsReportedAndNotUsed(String parameter, String reason, String reported) throws IOException {
         Skipped skipped = read("PARAM robot_frontlaser_offset 0.2\nPARAM " + parameter
                 + "\nRAWLASER1 0 -1.570796 3.141593 0.5 81.9 0.01 0 3 1 2 3 0 12 h 13\n");
 

@@ -150,7 +150,7 @@ class ExplorationTest {
 
     /// The door is 0.55 m wide, the small one needs 0.6 m.
     @Test
-    void tellsWhatLiesBehindADoorThatIsHardlyTooNarrow() {
+    void reportsWhatLiesBehindADoorThatIsHardlyTooNarrow() {
         Walls door = new Walls()
                 .chain(5, 1.725, 5, 0, 0, 0, 0, 4, 5, 4, 5, 2.275)
                 .chain(5, 1.725, 6.5, 1.725, 6.5, 0, 16, 0)

@@ -82,7 +82,7 @@ class ExplorerFaultTest extends RobotBench {
 
     @LongTest
     @Test
-    void standsAndSaysSoWhileItsLocalizerTellsNothingAndGoesOnAfterwards() {
+    void standsAndSaysSoWhileItsLocalizerSaysNothingAndGoesOnAfterwards() {
         advance(20);
         var reported = new ArrayList<Health>();
         explorer().onHealth(reported::add);

@@ -33,7 +33,7 @@ class ExplorerTest extends DeviceContract<Explorer> {
 
     /// And its planner knows ways as far as that map.
     @Test
-    void tellsTheMapAsItGrowsUntilNothingIsLeftToSee() {
+    void reportsTheMapAsItGrowsUntilNothingIsLeftToSee() {
         Planner planner = robot().require(Planner.class);
         Pose2d start = WORLD.pose('@', 0);
         Pose2d far = WORLD.pose('c', 0);

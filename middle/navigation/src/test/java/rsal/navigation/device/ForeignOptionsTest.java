@@ -61,7 +61,7 @@ class ForeignOptionsTest {
                 "goal_position_tol",
                 "goal_angle_tol"
             })
-    void whoComesFromPlayerIsToldWhatToWrite(String option) {
+    void whoComesFromPlayerIsInformedWhatToWrite(String option) {
         assertThat(driver.advice(option)).isPresent();
     }
 
@@ -78,7 +78,7 @@ class ForeignOptionsTest {
     }
 
     @Test
-    void whoComesFromRosIsToldWhatToWrite() {
+    void whoComesFromRosIsInformedWhatToWrite() {
         assertThat(driver.advice("xy_goal_tolerance").orElseThrow()).contains("its own tolerance");
         assertThat(new AmclDriver().advice("laser_max_beams")).hasValue("It is 'beams' here.");
         assertThat(new AmclDriver().advice("min_particles")).hasValue("It is written 'minParticles' here.");

@@ -23,7 +23,7 @@ class PathNavigatorTest extends NavigatorContract {
     }
 
     @Test
-    void tellsTheWayOfItsLocalPlanner() {
+    void reportsThePathOfItsLocalPlanner() {
         device().goTo(WORLD.pose('a', 0));
         advance(3);
         Path2d way = device().localPath();

@@ -14,7 +14,7 @@ class RecentOdometryTest {
     private final RecentOdometry odometry = new RecentOdometry();
 
     @Test
-    void tellsWhereTheRobotWasWhenSomethingWasMeasured() {
+    void reportsWhereTheRobotWasWhenSomethingWasMeasured() {
         assertThat(odometry.odomFromBase(Instant.EPOCH)).isEmpty();
         assertThat(odometry.newest()).isEmpty();
         add(1000, new Pose2d(1, 0, 0));

@@ -209,7 +209,7 @@ class SilenceTest {
     }
 
     @Test
-    void aMapperLooksAtScansThatTellSomethingNew() {
+    void aMapperLooksAtScansThatShowSomethingNew() {
         var looks = new AtomicInteger();
         Localizer mapper = mapper(counting(looks));
         drive(1);

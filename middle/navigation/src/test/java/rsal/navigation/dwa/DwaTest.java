@@ -27,8 +27,8 @@ class DwaTest extends ControllerContract {
     }
 
     @Trials({"1", "2", "3", "4"})
-    void tellsAWayThatIsFree(long seed) {
-        assertTellsFreeWays(seed, 0);
+    void reportsAPathThatIsFree(long seed) {
+        assertReportsFreePaths(seed, 0);
     }
 
     private static final Footprint BOX = Footprint.box(0.5, 0.4, new Point2d(-0.05, 0));

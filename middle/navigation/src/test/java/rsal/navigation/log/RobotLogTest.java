@@ -77,7 +77,7 @@ class RobotLogTest {
     }
 
     @Test
-    void oneTimeOfAllScansTellsNothing() throws IOException {
+    void oneTimeOfAllScansSaysNothing() throws IOException {
         assertThat(taken(7, 7, 7, 7, 7).oneTime()).hasValue(Instant.ofEpochSecond(7));
         assertThat(taken(0, 0, 0, 0, 0).oneTime()).hasValue(Instant.EPOCH);
         assertThat(taken(7, 7, 7, 7, 8).oneTime()).isEmpty();

@@ -23,8 +23,8 @@ class MpcTest extends ControllerContract {
     }
 
     @Trials({"1", "2", "3", "4"})
-    void tellsAWayThatIsFree(long seed) {
-        assertTellsFreeWays(seed, 0.05);
+    void reportsAPathThatIsFree(long seed) {
+        assertReportsFreePaths(seed, 0.05);
     }
 
     @Test

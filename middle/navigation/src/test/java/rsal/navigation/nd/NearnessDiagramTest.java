@@ -87,7 +87,7 @@ class NearnessDiagramTest {
     }
 
     @Test
-    void tellsWhereSomethingIs() {
+    void reportsWhereSomethingIs() {
         Point2d post = Pose2d.polar(0.6, Math.toRadians(-60)).position();
         obstacles.add(post.x(), post.y()); // a circle of 0.02 m, which is 1.9° to each side
         diagram.fill(obstacles);

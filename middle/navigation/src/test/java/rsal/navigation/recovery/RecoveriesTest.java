@@ -288,7 +288,7 @@ class RecoveriesTest {
     }
 
     @Test
-    void looksAroundUntilItIsTold() {
+    void looksAroundUntilItHasAPose() {
         Recovery recovery = make(new LookAroundRecoveryType());
         recovery.begin(world.situation());
         Twist2d ahead = recovery.command(world.situation());

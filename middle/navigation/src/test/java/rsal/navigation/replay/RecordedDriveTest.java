@@ -47,7 +47,7 @@ class RecordedDriveTest {
     }
 
     @Test
-    void anotherLogOfTheSameScansTellsWhereTheyWereTaken() throws IOException {
+    void anotherLogOfTheSameScansSaysWhereTheyWereTaken() throws IOException {
         RecordedDrive drive = RecordedDrive.of(log("""
                 FLASER 3 1 2 3 0 0 0 5 5 0 1 h 1
                 FLASER 3 1 2 4 0 0 0 6 5 0 2 h 2
@@ -105,7 +105,7 @@ class RecordedDriveTest {
     }
 
     @Test
-    void scansThatLookTheSameAtSeveralPlacesTellNoPlace() throws IOException {
+    void scansThatLookTheSameAtSeveralPlacesShowNoPlace() throws IOException {
         RecordedDrive drive = RecordedDrive.of(log("""
                 FLASER 3 1 2 3 0 0 0 0 0 0 1 h 1
                 FLASER 3 inf inf inf 1 0 0 1 0 0 2 h 2

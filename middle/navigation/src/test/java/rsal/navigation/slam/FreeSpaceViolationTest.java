@@ -62,7 +62,7 @@ class FreeSpaceViolationTest {
     }
 
     @Test
-    void aFewScansTellNothing() {
+    void aFewScansSayNothing() {
         drive(HALL, 9);
 
         assertThat(FreeSpaceViolation.of(frames, poses)).isEmpty();

@@ -44,7 +44,7 @@ class GraphResidualTest {
     }
 
     @Test
-    void whatNothingThatWasToldFitsIsTooMuch() {
+    void whatNothingThatWasReportedFitsIsTooMuch() {
         reported(0, METER, 0.1, Source.ODOMETRY);
         reported(1, new Pose2d(1.7, 0, 0), 0.1, Source.ODOMETRY);
         relations.add(
@@ -72,7 +72,7 @@ class GraphResidualTest {
     }
 
     @Test
-    void nothingIsStrainedWhereNothingWasTold() {
+    void nothingIsStrainedWhereNothingWasReported() {
         assertThat(residual().all()).isEmpty();
         assertThat(residual().steps()).isZero();
     }

@@ -35,7 +35,7 @@ class RefusedTest {
     }
 
     @Test
-    void looksApartThatAgreeAreTold() {
+    void looksApartThatAgreeAreReported() {
         assertThat(reported(new Refused(), loop(2, 40, 0.3), loop(9, 42, -0.4), loop(4, 44, 0.35)))
                 .extracting(Relation::to)
                 .containsExactly(40, 44);
@@ -48,7 +48,7 @@ class RefusedTest {
     }
 
     @Test
-    void areToldAgainWhenOneMoreAgreesOnly() {
+    void areReportedAgainWhenOneMoreAgreesOnly() {
         var refused = new Refused();
         assertThat(reported(refused, loop(2, 40, 0.3), loop(4, 44, 0.3))).hasSize(2);
         assertThat(reported(refused, loop(5, 45, 0.3), loop(6, 47, 0.3))).isEmpty();

@@ -350,7 +350,7 @@ class SlamTest {
     }
 
     @Test
-    void seesParallelWallsThoughTheyDoNotTellHowFarItIsAlongThem() {
+    void seesParallelWallsThoughTheyDoNotShowHowFarItIsAlongThem() {
         var random = new SplittableRandom(5);
         var hall = new Walls().chain(-100, -2, 100, -2).chain(-100, 2, 100, 2);
         var slam = new Slam(Slam.Settings.DEFAULT.within(4));
@@ -425,7 +425,7 @@ class SlamTest {
     }
 
     @Test
-    void mapsThatFitInTwoWaysStayTwoAndBothWaysAreTold() {
+    void mapsThatFitInTwoWaysStayTwoAndBothWaysAreReported() {
         var random = new SplittableRandom(4);
         var start = new Pose2d(2, 3, 0.1);
         Slam first = acrossTheRoom(halfTurned(), start, start, random);
@@ -448,7 +448,7 @@ class SlamTest {
     }
 
     @Test
-    void aCabinetThatStandsOnOneSideOnlyTellsTheWaysApart() {
+    void aCabinetThatStandsOnOneSideOnlyDistinguishesTheWays() {
         var random = new SplittableRandom(4);
         var start = new Pose2d(2, 3, 0.1);
         Walls room = halfTurned().box(4, 5.2, 5.4, 6);
@@ -510,18 +510,18 @@ class SlamTest {
 
         assertThat(first.merge(second)).isInstanceOfSatisfying(Merge.Contradicted.class, refused -> {
             assertThat(refused.mapFromOther().isNear(Pose2d.ORIGIN, 0.1, 0.03)).isTrue();
-            assertBoxIsTold(refused.shared(), before);
+            assertBoxIsReported(refused.shared(), before);
         });
         assertThat(first.frameCount()).isEqualTo(before);
 
         assertThat(first.mergeDespiteContradictions(second)).isInstanceOfSatisfying(Merge.Done.class, done -> {
             assertThat(done.mapFromOther().isNear(Pose2d.ORIGIN, 0.1, 0.03)).isTrue();
-            assertBoxIsTold(done.shared(), before);
+            assertBoxIsReported(done.shared(), before);
         });
         assertThat(first.frameCount()).isEqualTo(before + second.frameCount());
     }
 
-    private static void assertBoxIsTold(MapOverlap shared, int firstOfSecond) {
+    private static void assertBoxIsReported(MapOverlap shared, int firstOfSecond) {
         assertThat(shared.isContradicted()).isTrue();
         assertThat(shared.against()).isBetween(MapOverlap.MOST_AGAINST, 0.2);
         assertThat(shared.worst()).hasValueSatisfying(worst -> {

@@ -44,7 +44,7 @@ class TurnAgreementTest {
     }
 
     @Test
-    void fewAndSmallTurnsTellNothing() {
+    void fewAndSmallTurnsSayNothing() {
         for (int i = 0; i < 7; i++) {
             step(0.3, -0.3);
         }

@@ -159,7 +159,7 @@ class ReachableSpaceTest {
     }
 
     @Test
-    void tellsHowMuchClearanceThereIs() {
+    void reportsHowMuchClearanceThereIs() {
         assertThatThrownBy(() -> ReachableSpace.largest(ROOMS.grid(), 4))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("clearance of '4.00' m")

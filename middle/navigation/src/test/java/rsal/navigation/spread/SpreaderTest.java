@@ -133,7 +133,7 @@ class SpreaderTest {
     }
 
     @Test
-    void tellsHowFarItGot() {
+    void reportsHowFarItGot() {
         for (int number : new int[] {5, 200}) {
             var reported = new ArrayList<Double>();
             new Spreader(ReachableSpace.largest(OFFICE, 0.1), number).spread(new SplittableRandom(1), reported::add);

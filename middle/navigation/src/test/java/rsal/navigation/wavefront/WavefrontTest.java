@@ -225,7 +225,7 @@ class WavefrontTest {
     }
 
     @Test
-    void tellsWhatTheWayCostsFromEverywhere() {
+    void reportsWhatThePathCostsFromEverywhere() {
         var wavefront = new Wavefront(costs(ROOMS.grid(), NARROW));
         Point2d a = ROOMS.place('a');
         NavigationFunction toA = wavefront.everywhere(a, 0).orElseThrow();
@@ -239,7 +239,7 @@ class WavefrontTest {
     }
 
     @Test
-    void tellsWhatTheWayToTheNearestOfSeveralGoalsCosts() {
+    void reportsWhatThePathToTheNearestOfSeveralGoalsCosts() {
         OccupancyGrid grid = ROOMS.grid();
         var wavefront = new Wavefront(costs(grid, NARROW));
         List<Point2d> goals = List.of(ROOMS.place('a'), new Point2d(99, 0), ROOMS.place('b'), ROOMS.place('a'));

@@ -19,7 +19,7 @@ class SpacesTest {
     }
 
     @Test
-    void whatNoCellTellsApartIsOne() {
+    void whatNoCellDistinguishesIsOne() {
         var spaces = new Spaces(map(40));
         FreeSpace space = spaces.with(0.501, HERE);
         assertThat(spaces.with(0.502, HERE)).isSameAs(space);

@@ -546,7 +546,7 @@ class YamlFormatTest {
     }
 
     @Test
-    void aBumperThatFeelsNothingIsToldOf() {
+    void aBumperThatFeelsNothingIsReported() {
         Scene scene = Worlds.of("""
                         parts: {numb: {type: bumper, bumpers: [], period: 0.1}}
                         robots:
@@ -560,7 +560,7 @@ class YamlFormatTest {
     }
 
     @Test
-    void robotsThatStartInsideSomethingAreToldOf() {
+    void robotsThatStartInsideSomethingAreReported() {
         Scene scene = scene("""
                 walls: [{line: [[-5, 0], [5, 0]], thickness: 0.1}]
                 things: {box: {pose: [2, 2, 0], body: {length: 1, width: 1, height: 1}}}
@@ -590,7 +590,7 @@ class YamlFormatTest {
     }
 
     @Test
-    void otherProgramsAreToldOf() {
+    void otherProgramsAreReported() {
         Scene scene = scene("robots: {r: {model: pioneer2dx, pose: [0, 0, 0], program: dance}}");
         assertThat(scene.programs()).containsEntry("r", "dance");
         assertThat(scene.warnings()).singleElement().asString().contains("'dance'", "wander");
@@ -647,7 +647,7 @@ class YamlFormatTest {
             things: {a: {body: {radius: 1, actuator: arm}}} | 2:32 | 'actuator' is not known
             things: {a: {pose: [900000, 0, 0], body: {radius: 1}}, b: {body: {radius: 1}}} | | at most 100000 m
             """)
-    void errorsAreTold(String text, String where, String expected) {
+    void errorsAreReported(String text, String where, String expected) {
         Worlds worlds = Worlds.of(text.startsWith("rsal") ? "" : text + "\nwalls: [{line: [[-1, -9], [-1, 9]]}]")
                 .andImage("a.pgm", PLAN)
                 .and("what.png", "what");
@@ -706,7 +706,7 @@ class YamlFormatTest {
                 "type: differential          | drive.odometryNoise' is missing: a group with 'distancePerMeter', 'headingPerMeter', "
                         + "'headingPerDegree'."
             })
-    void anErrorInADriveIsToldOnce(String noise, String expected) {
+    void anErrorInADriveIsReportedOnce(String noise, String expected) {
         assertThat(Worlds.of("""
                         robots: {r: {model: cart}, s: {model: cart, devices: {laser: urg04lx}}}
                         models:
@@ -721,7 +721,7 @@ class YamlFormatTest {
     }
 
     @Test
-    void allErrorsAreToldTogether() {
+    void allErrorsAreReportedTogether() {
         assertThat(Worlds.of("step: 7\nwalls: [{radius: 0}, {line: 3}]\nrobots: {r: {model: none}}")
                         .errors())
                 .hasSizeBetween(4, 5);

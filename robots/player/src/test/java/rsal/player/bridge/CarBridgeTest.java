@@ -59,7 +59,7 @@ class CarBridgeTest extends BridgeBench {
     }
 
     @Test
-    void steersAsItIsToldAndNoMoreThanItCan() throws Exception {
+    void steersAsCommandedAndNoMoreThanItCan() throws Exception {
         subscribe(Interface.POSITION2D);
         command(Position2d.CAR, new Position2d.Car(0.3, 0.2));
         until(() -> odometry().velocity().vx() > 0.299);

@@ -70,7 +70,7 @@ class NavigatedBridgeTest extends BridgeBench {
     }
 
     @Test
-    void whereItIsIsToldAndCanBeSet() throws Exception {
+    void whereItIsIsReportedAndCanBeSet() throws Exception {
         var reported = reported(Interface.LOCALIZE, Localize.Hypotheses.class).hypotheses();
         assertThat(reported).hasSize(1);
         assertThat(reported.getFirst().mapFromBase()).isEqualTo(wire(START));
@@ -144,7 +144,7 @@ class NavigatedBridgeTest extends BridgeBench {
     }
 
     @Test
-    void itGoesWhereAClientWantsItAndTellsOfIt() throws Exception {
+    void itGoesWhereAClientWantsItAndReportsIt() throws Exception {
         assertThat(state())
                 .isEqualTo(new PlannerInterface.State(0, 0, wire(START), new Pose(0, 0, 0), new Pose(0, 0, 0), -1, 0));
         goal(A);

@@ -112,7 +112,7 @@ class PlayerBridgeTest extends BridgeBench {
     }
 
     @Test
-    void aPortThatIsTakenIsToldAndTheOthersAreLetGo() throws IOException {
+    void aPortThatIsTakenIsReportedAndTheOthersAreLetGo() throws IOException {
         try (RobotSystem two = two();
                 var second = takenAfterAFreeOne()) {
             int first = second.getLocalPort() - 1;
@@ -161,7 +161,7 @@ class PlayerBridgeTest extends BridgeBench {
     }
 
     @Test
-    void drivesAsToldUntilTheClientIsGone() throws Exception {
+    void drivesAsCommandedUntilTheClientIsGone() throws Exception {
         subscribe(Interface.POSITION2D);
         command(Position2d.VELOCITY, new Position2d.Velocity(new Pose(0.3, 0, 0), 1));
         until(() -> truth().x() > START.x() + 2); // said once
@@ -338,7 +338,7 @@ class PlayerBridgeTest extends BridgeBench {
     }
 
     @Test
-    void theOthersTellWhatTheyFeelAndSee() throws Exception {
+    void theOthersReportWhatTheyFeelAndSee() throws Exception {
         var power = reported(Interface.POWER, Power.State.class);
         assertThat(power.valid() & Power.PERCENT).isNotZero();
         assertThat(power.percent()).isBetween(90f, 100f);
@@ -434,7 +434,7 @@ class PlayerBridgeTest extends BridgeBench {
     }
 
     @Test
-    void theTruthIsToldAndRobotsArePlaced() throws Exception {
+    void theTruthIsReportedAndRobotsArePlaced() throws Exception {
         var name = Chars.of("r1");
         var at = ask(Interface.SIMULATION, Simulation.POSE, new Simulation.Placed(name, new Pose(0, 0, 0)))
                 .body(Simulation.Placed.class);

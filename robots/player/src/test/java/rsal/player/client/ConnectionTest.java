@@ -212,12 +212,12 @@ class ConnectionTest {
         "PUSH, 192.168.1.5, false",
         "PULL, 127.0.0.1, true"
     })
-    void pullsFromOtherMachinesUnlessToldOtherwise(Delivery delivery, String server, boolean pulls) {
+    void pullsFromOtherMachinesUnlessAskedOtherwise(Delivery delivery, String server, boolean pulls) {
         assertThat(delivery.pulls(InetAddress.ofLiteral(server))).isEqualTo(pulls);
     }
 
     @Test
-    void tellsWhichDevicesThereAreAndWhatDrivesThem() throws IOException {
+    void reportsWhichDevicesThereAreAndWhatDrivesThem() throws IOException {
         CompletionStage<List<Address>> devices = connection.devices();
         client.acknowledge(client.next(PLAYER, Session.DEVICES), new Session.Devices(List.of(BASE)));
         assertThat(result(devices)).containsExactly(BASE);
@@ -270,7 +270,7 @@ class ConnectionTest {
     }
 
     @Test
-    void aServerThatEndsIsLostAndWhoeverWaitsIsTold() throws IOException {
+    void aServerThatEndsIsLostAndWhoeverWaitsIsInformed() throws IOException {
         CompletionStage<Packet> waiting = connection.ask(Packet.of(BASE, MessageKind.REQUEST, Position2d.GEOMETRY, 0));
         client.next(BASE, Position2d.GEOMETRY);
         client.close();
@@ -347,7 +347,7 @@ class ConnectionTest {
     }
 
     @Test
-    void closingTellsWhoeverWaits() {
+    void closingInformsWhoeverWaits() {
         CompletionStage<Packet> waiting = connection.ask(Packet.of(BASE, MessageKind.REQUEST, Position2d.GEOMETRY, 0));
         connection.close();
         connection.close();
@@ -367,7 +367,7 @@ class ConnectionTest {
     }
 
     @Test
-    void nobodyThereIsTold() throws IOException {
+    void nobodyThereIsReported() throws IOException {
         InetSocketAddress nobody;
         try (var closed = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             nobody = (InetSocketAddress) closed.getLocalSocketAddress();

@@ -320,7 +320,7 @@ class OwnPlannerTest extends ScriptedBench {
     }
 
     @Test
-    void aLocalizerThatTellsNothingIsAskedWhatItBelieves() throws Exception {
+    void aLocalizerThatSaysNothingIsAskedWhatItBelieves() throws Exception {
         particles = List.of(
                 new Localize.Particle(new Pose(1, 2, Math.PI - 0.1), 1),
                 new Localize.Particle(new Pose(1.2, 2, -Math.PI + 0.1), 1));
@@ -335,7 +335,7 @@ class OwnPlannerTest extends ScriptedBench {
     }
 
     @Test
-    void aLocalizerThatTellsNothingOnALongWayIsBelievedNoMoreUntilItTellsSomething() throws Exception {
+    void aLocalizerThatSaysNothingOnALongWayIsBelievedNoMoreUntilItSaysSomething() throws Exception {
         particles = List.of(new Localize.Particle(new Pose(1, 2, 0), 1));
         begin(true);
         until(localizer::latest, Optional::isPresent);

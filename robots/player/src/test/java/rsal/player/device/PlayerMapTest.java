@@ -173,7 +173,7 @@ class PlayerMapTest extends ScriptedBench {
     }
 
     @Test
-    void itIsReadAnewWithEachConnectionAndWhenTheServerTellsOfAnother() throws IOException {
+    void itIsReadAgainWithEachConnectionAndWhenTheServerReportsAnother() throws IOException {
         begin();
         publishOne(1);
         assertThat(awaited().cells()).containsExactly(OccupancyGrid.OCCUPIED);

@@ -93,7 +93,7 @@ class RemoteTruthTest extends ScriptedBench {
     }
 
     @Test
-    void whatIsNoAnswerTellsNothing() throws IOException {
+    void whatIsNoAnswerSaysNothing() throws IOException {
         look();
         publish("robot1", 1);
         untilSeen(1);

@@ -441,7 +441,7 @@ class PortTest {
     }
 
     @Test
-    void whatIsTooMuchIsDroppedAndTold() throws IOException {
+    void whatIsTooMuchIsDroppedAndReported() throws IOException {
         Raw raw = subscribed();
         raw.ask(Session.MODE, new Session.Mode(Session.PULL));
         raw.nextAnswer();

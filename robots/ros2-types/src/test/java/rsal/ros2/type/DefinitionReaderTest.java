@@ -104,7 +104,7 @@ class DefinitionReaderTest {
             float32[<=] none,   'none' needs a number above 0
             float32[-1] none,   'float32[-1] none' is not a field
             """)
-    void errorsAreToldWithTheirLine(String text, String message) {
+    void errorsAreReportedWithTheirLine(String text, String message) {
         assertThatThrownBy(() -> DefinitionReader.message("a_msgs/msg/A", "\n" + text))
                 .isInstanceOf(InvalidDefinition.class)
                 .hasMessageContaining("a_msgs/msg/A:2: " + message);

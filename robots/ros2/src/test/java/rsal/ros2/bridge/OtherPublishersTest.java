@@ -16,7 +16,7 @@ class OtherPublishersTest {
     }
 
     @Test
-    void tellsOnceOfWhatAnotherProgramPublishesToo() {
+    void reportsOnceWhatAnotherProgramPublishesToo() {
         var rivals = new OtherPublishers();
         List<String> own = List.of("/r1/odom", "/r2/odom");
         assertThat(rivals.look(own, List.of(endpoint("/r1/odom", false), endpoint("/r3/odom", true))))

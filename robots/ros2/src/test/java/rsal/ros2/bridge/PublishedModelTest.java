@@ -172,7 +172,7 @@ class PublishedModelTest extends RobotBench {
     }
 
     @Test
-    void jointsAndTheirFramesAreTold() {
+    void jointsAndTheirFramesAreReported() {
         try (Bridge bridge = PublishedRobots.publish(List.of(robot()), WORLD.grid(), network.join(), run)) {
             List<RosMessage> joints = hear("/r1/joint_states", "sensor_msgs/msg/JointState");
             List<RosMessage> transforms = hear("/r1/tf", "tf2_msgs/msg/TFMessage");

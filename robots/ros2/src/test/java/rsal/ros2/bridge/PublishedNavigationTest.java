@@ -297,7 +297,7 @@ class PublishedNavigationTest extends RobotBench {
     }
 
     @Test
-    void itsWayIsToldWhileItDrives() {
+    void itsPathIsReportedWhileItDrives() {
         listen("/r1/plan", "nav_msgs/msg/Path", Profile.DEFAULT, heard);
         advance(1);
         assertThat(heard).isEmpty();
@@ -316,7 +316,7 @@ class PublishedNavigationTest extends RobotBench {
     }
 
     @Test
-    void costsAreToldWhenTheyChange() {
+    void costsAreReportedWhenTheyChange() {
         advance(2);
         listen("/r1/global_costmap/costmap", "nav_msgs/msg/OccupancyGrid", Profile.LATCHED, heard);
         advance(3);
@@ -330,7 +330,7 @@ class PublishedNavigationTest extends RobotBench {
     }
 
     @Test
-    void particlesAreToldWhileSomebodySubscribes() {
+    void particlesAreReportedWhileSomebodySubscribes() {
         localizer.publish(run.instant());
         advance(1);
         listen("/r1/particle_cloud", "nav2_msgs/msg/ParticleCloud", Profile.SENSOR_DATA, heard);

@@ -166,12 +166,12 @@ class Ros2BridgeTest extends RobotBench {
     }
 
     @Test
-    void theBatteryTellsItsLevel() {
+    void theBatteryReportsItsLevel() {
         assertThat(all("/r1/battery_state").getLast().number("percentage")).isBetween(0.5, 1.0);
     }
 
     @Test
-    void healthIsToldOnceASecond() {
+    void healthIsReportedOnceASecond() {
         List<RosMessage> arrays = all("/diagnostics");
         assertThat(arrays).hasSizeBetween(3, 4);
         List<RosMessage> statuses = arrays.getLast().messages("status");

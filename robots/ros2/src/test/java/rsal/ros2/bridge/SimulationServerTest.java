@@ -610,7 +610,7 @@ class SimulationServerTest extends RobotBench {
     }
 
     @Test
-    void theActionTellsHowItGetsOn() {
+    void theActionReportsHowItGetsOn() {
         var reported = new ArrayList<Long>();
         there.subscribe(
                 new RosTopic("/rsal/simulate_steps/_action/feedback", ACTION + "_FeedbackMessage"),

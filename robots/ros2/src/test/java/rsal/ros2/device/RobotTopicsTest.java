@@ -29,7 +29,7 @@ class RobotTopicsTest {
 
     @ParameterizedTest
     @EnumSource
-    void whatDiffersTellsTheDistribution(Distribution distribution) {
+    void whatDiffersShowsTheDistribution(Distribution distribution) {
         List<RosEndpoint> all = new ArrayList<>();
         for (RosTopic topic : List.of(ODOMETRY, FEEDBACK)) {
             all.add(endpoint(topic, distribution));

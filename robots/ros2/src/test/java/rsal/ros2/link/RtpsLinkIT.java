@@ -165,7 +165,7 @@ class RtpsLinkIT {
     /// Which nodes there are, and which publishers they have, as `ros2 node list` and `ros2 node info` ask.
     @ParameterizedTest
     @ValueSource(strings = {"HUMBLE", "JAZZY"})
-    void nodesAreTold(String distribution) throws Exception {
+    void nodesAreReported(String distribution) throws Exception {
         TypeLibrary types = TypeLibrary.of(Distribution.valueOf(distribution));
         MessageCodec codec = MessageCodec.of(types.get("rmw_dds_common/msg/ParticipantEntitiesInfo"), types);
         var reported = new AtomicReference<byte[]>(new byte[0]);

@@ -438,7 +438,7 @@ class RosbridgeLinkTest {
     }
 
     @Test
-    void aTypeThatIsNotToldAtOnceIsAskedForAgain() {
+    void aTypeThatIsNotSentAtOnceIsAskedForAgain() {
         String type = "control_msgs/action/GripperCommand_FeedbackMessage";
         robot.advertise(new RosTopic("/r1/gripper_cmd/_action/feedback", type), Profile.DEFAULT);
         server.refuse(Set.of("action_type"));

@@ -19,7 +19,7 @@ abstract class OwnMapContract extends DeviceContract<Mapper> {
     }
 
     @Test
-    void isTheWholeMapAsItIsTold() {
+    void isTheWholeMapAsItIsSent() {
         advance(1);
         assertThat(device().latest().orElseThrow().value())
                 .usingRecursiveComparison()

@@ -121,7 +121,7 @@ class Ros2DiagnosisTest {
     }
 
     @Test
-    void qualityOfServiceThatDoesNotMatchIsToldOnce() {
+    void qualityOfServiceThatDoesNotMatchIsReportedOnce() {
         String type = "sensor_msgs::msg::dds_::LaserScan_";
         EndpointData reader = endpoint(false, "rt/scan", type, Qos.DEFAULT);
         List<Finding> findings = Ros2Diagnosis.of(
@@ -134,7 +134,7 @@ class Ros2DiagnosisTest {
     }
 
     @Test
-    void machinesThatCannotBeReachedAreTold() throws IOException {
+    void machinesThatCannotBeReachedAreReported() throws IOException {
         InetAddress lab = InetAddress.getByName("10.1.0.5"); // of this machine
         InetAddress robot = InetAddress.getByName("10.1.0.7");
         InetAddress far = InetAddress.getByName("192.168.77.3");

@@ -109,7 +109,7 @@ class RosGridsTest {
     }
 
     @Test
-    void updatesChangeTheMapSinceItWasToldWhole() {
+    void updatesChangeTheMapSinceItWasSentWhole() {
         update(updates, run.instant(), 0, 0, 1, (byte) 100);
         assertThat(robot.require(Mapper.class).latest()).isEmpty();
         Instant before = run.instant();
@@ -199,7 +199,7 @@ class RosGridsTest {
     }
 
     @Test
-    void updatesThatDoNotFitChangeNothingAndAreToldOnce() {
+    void updatesThatDoNotFitChangeNothingAndAreReportedOnce() {
         publish(maps, new byte[6]);
         for (int i = 0; i < 5; i++) {
             update(updates, run.instant(), 2, 1, 2, (byte) 100, (byte) 100);

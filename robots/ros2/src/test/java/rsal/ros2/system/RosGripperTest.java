@@ -184,7 +184,7 @@ class RosGripperTest {
     }
 
     @Test
-    void whereItIsIsNotKnownBeforeAnythingIsTold() {
+    void whereItIsIsNotKnownBeforeAnythingIsReported() {
         assertThat(state().closed()).isNaN();
         assertThat(state().paddles()).isEqualTo(Paddles.STOPPED);
     }

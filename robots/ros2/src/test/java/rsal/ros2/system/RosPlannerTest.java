@@ -177,7 +177,7 @@ class RosPlannerTest {
     }
 
     @Test
-    void humbleTellsNoReason() {
+    void humbleGivesNoReason() {
         begin(Distribution.HUMBLE, true);
         List<Result> answers = ask(robot.require(Planner.class), GOAL);
         results.getLast()

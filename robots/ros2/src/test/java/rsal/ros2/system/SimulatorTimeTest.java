@@ -110,7 +110,7 @@ class SimulatorTimeTest {
     }
 
     @Test
-    void theRunIsToldEachTimeAndRobotsWaitForTheFirst() {
+    void theRunIsInformedEachTimeAndRobotsWaitForTheFirst() {
         var found = system.discover().toCompletableFuture();
         advance(4, 1);
         assertThat(found).isNotDone();

@@ -65,7 +65,7 @@ class TopicReadingTest {
 
     /// By the hash that its publishers announce.
     @Test
-    void aDefinitionThatIsNotTheRobotsIsToldApart() throws InterruptedException {
+    void aDefinitionThatIsNotTheRobotsIsDistinguished() throws InterruptedException {
         publish("/r1/flag", "std_msgs/msg/Bool", new CdrWriter().bool(true).toBytes());
         assertThat(look(List.of(), "/r1/flag"))
                 .extracting(Finding::what, Finding::ok)

@@ -36,7 +36,7 @@ class PlacedShapeTest {
     }
 
     @Test
-    void separationTellsOverlapFromAGapAndNeverTooMuch() {
+    void separationDistinguishesOverlapFromAGapAndIsNeverTooMuch() {
         var random = new SplittableRandom(5);
         int overlaps = 0;
         for (int i = 0; i < 500; i++) {

@@ -140,7 +140,7 @@ class PlayerFormatTest {
     }
 
     @Test
-    void whatIsServedIsTold() {
+    void whatIsServedIsReported() {
         assertThat(configs(UHH).read().services())
                 .extracting(
                         RobotService::driver,
@@ -394,7 +394,7 @@ class PlayerFormatTest {
     }
 
     @Test
-    void amclStartsWhereItIsToldTo() {
+    void amclStartsWhereItIsAskedTo() {
         assertThat(localizer(PLANNER).mapFromStart()).contains(new Pose2d(-21, 4, 0));
         assertThat(localizer(PLANNER.replace("init_pose [-21.0 4.0 0]", "")).mapFromStart())
                 .as("where its robot does")
@@ -562,7 +562,7 @@ class PlayerFormatTest {
                 "include \"none.inc\" | 2:1 | There is no file 'etc/none.inc'",
                 "unit_length \"miles\" | 2:13 | 'unit_length' must be one of [m, cm, mm]"
             })
-    void errorsAreToldWithTheirPlace(String text, String at, String message) {
+    void errorsAreReportedWithTheirPlace(String text, String at, String message) {
         assertThat(configs(STAGE + text).errors())
                 .anySatisfy(m ->
                         assertThat(m).startsWith("etc/test.cfg:" + at + ":").contains(message));
@@ -585,7 +585,7 @@ class PlayerFormatTest {
     }
 
     @Test
-    void errorsOfTheWorldAreToldAsSuch() {
+    void errorsOfTheWorldAreReportedAsSuch() {
         assertThat(Configs.of(STAGE)
                         .and("worlds/uhh1.world", "model ( size [1 2] )")
                         .errors())

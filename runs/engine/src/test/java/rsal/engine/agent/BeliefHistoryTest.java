@@ -47,7 +47,7 @@ class BeliefHistoryTest {
     }
 
     @Test
-    void tellsWhatAnAgentDidThoughNobodyLooked() {
+    void reportsWhatAnAgentDidThoughNobodyLooked() {
         now = now.plusSeconds(1);
         beliefHistory.does("ann", "searching");
         beliefHistory.does("bob", "waiting");
@@ -56,7 +56,7 @@ class BeliefHistoryTest {
     }
 
     @Test
-    void tellsStepByStepWhatChangedSinceSomebodyLooked() {
+    void reportsStepByStepWhatChangedSinceSomebodyLooked() {
         beliefs.put("ann", Map.of("fuel", "3", "load", "none"));
         goals = List.of(goal("fetch", GoalState.WAITING), goal("rest", GoalState.NOT_WANTED));
         step(); // nobody looks
@@ -118,7 +118,7 @@ class BeliefHistoryTest {
     }
 
     @Test
-    void keepsWhatItKnewOfOneThatCantTell() {
+    void keepsWhatItKnewOfOneThatCantReport() {
         beliefs.put("ann", Map.of("fuel", "3"));
         look("ann", 0);
         beliefHistory.step(_ -> Optional.empty());

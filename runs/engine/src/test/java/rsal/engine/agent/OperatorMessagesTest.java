@@ -53,7 +53,7 @@ class OperatorMessagesTest {
     }
 
     @Test
-    void whatDoesNotFitIsToldByField() {
+    void whatDoesNotFitIsReportedByField() {
         assertThatThrownBy(() -> read("lookout", Map.of("robot", "r1", "mapFromPlace", "3", "done", "true")))
                 .hasMessage("Field 'mapFromPlace' takes x and y [m]: 3 4.5, not '3'.");
         assertThatThrownBy(() -> read("lookout", Map.of("robot", "r1", "mapFromPlace", "3 NaN", "done", "true")))

@@ -38,7 +38,7 @@ class LinksTest {
     }
 
     @Test
-    void whatIsSaidIsToldForASecond() {
+    void whatIsSaidIsReportedForASecond() {
         assertThat(look(BOTH, "").links()).containsExactly(new Link("a", "b", SILENT, SILENT));
         says("amy", "bob");
         says("amy", "ann"); // of the same robot
@@ -86,7 +86,7 @@ class LinksTest {
     }
 
     @Test
-    void ofManyRobotsThoseOfTheChosenOneAreTold() {
+    void ofManyRobotsThoseOfTheChosenOneAreReported() {
         assertThat(look(robots(Links.MOST_ROBOTS), "").ofChosen()).isFalse();
         assertThat(look(robots(Links.MOST_ROBOTS), "").links())
                 .hasSize(Links.MOST_ROBOTS * (Links.MOST_ROBOTS - 1) / 2);
@@ -101,7 +101,7 @@ class LinksTest {
     }
 
     @Test
-    void whatNobodyIsToldOfIsNotNoted() {
+    void whatIsReportedToNobodyIsNotNoted() {
         Set<String> many = robots(Links.MOST_ROBOTS);
         many.addAll(BOTH);
         assertThat(look(many, "").ofChosen()).isTrue();

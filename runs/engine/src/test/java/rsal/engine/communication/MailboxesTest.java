@@ -21,7 +21,7 @@ class MailboxesTest {
     }
 
     @Test
-    void tellsWhatReachedAnAgentInTheOrderOfArrival() {
+    void reportsWhatReachedAnAgentInTheOrderOfArrival() {
         hear("bob", "pose", "", 20, "late");
         hear("cid", "pose", "", 30, "not for bob");
         hear("bob", "ask", "bob", 10, "later");

@@ -8,7 +8,7 @@ import rsal.engine.report.Reception;
 class ReceptionCountsTest {
     private final ReceptionCounts hearings = new ReceptionCounts();
 
-    private void allTellAll(int agents, String... topics) {
+    private void allReportToAll(int agents, String... topics) {
         for (String topic : topics) {
             for (int i = 0; i < agents; i++) {
                 for (int j = 0; j < agents; j++) {
@@ -23,8 +23,8 @@ class ReceptionCountsTest {
     }
 
     @Test
-    void pairsAreToldWhileTheyAreFew() {
-        allTellAll(3, "pose");
+    void pairsAreReportedWhileTheyAreFew() {
+        allReportToAll(3, "pose");
         assertThat(hearings.all())
                 .hasSize(7)
                 .contains(new Reception("agent-1", "agent-0", "pose", 2, 1))
@@ -33,7 +33,7 @@ class ReceptionCountsTest {
 
     @Test
     void ofTooManyPairsEachSenderIsSummedUp() {
-        allTellAll(200, "hello", "pose");
+        allReportToAll(200, "hello", "pose");
         assertThat(hearings.all())
                 .hasSize(400)
                 .contains(new Reception("agent-7", "", "hello", 398, 1))
@@ -50,7 +50,7 @@ class ReceptionCountsTest {
 
     @Test
     void ofOneAgentThoseComeFirstOfWhichMostWasLost() {
-        allTellAll(100, "pose");
+        allReportToAll(100, "pose");
         for (int i = 0; i < 5; i++) {
             hearings.lost("agent-3", "agent-50", "pose");
         }

@@ -19,7 +19,7 @@ class ChattyTopicsTest {
     }
 
     @Test
-    void ofOneTopicAllIsToldAndOfTheOthersThatTheyAreThere() {
+    void ofOneTopicAllIsReportedAndOfTheOthersThatTheyAreThere() {
         SentMessage first = say("pose", 1);
         SentMessage hello = say("hello", 2);
         SentMessage second = say("pose", 3);

@@ -22,7 +22,7 @@ class GuardedSchedulerTest {
     }
 
     @Test
-    void tellsWhoseTaskFailed() {
+    void reportsWhoseTaskFailed() {
         guarded.after(Duration.ZERO, Phase.DEVICES, () -> {
             throw new IllegalStateException("it went out");
         });
@@ -47,7 +47,7 @@ class GuardedSchedulerTest {
     }
 
     @Test
-    void tellsWhoOverwhelmedTheMachine() {
+    void reportsWhoOverwhelmedTheMachine() {
         guarded.execute(() -> {
             throw new StackOverflowError();
         });
@@ -57,7 +57,7 @@ class GuardedSchedulerTest {
     }
 
     @Test
-    void tellsOfALackOfMemoryWhereverItWas() {
+    void reportsALackOfMemoryWhereverItWas() {
         var lack = new OutOfMemoryError("Java heap space");
         guarded.execute(() -> {
             throw new IllegalStateException("the rays", new CompletionException(lack));

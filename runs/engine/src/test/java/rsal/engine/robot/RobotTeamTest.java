@@ -36,7 +36,7 @@ class RobotTeamTest {
     }
 
     @Test
-    void somebodyMayLeaveWhileAllAreTold() {
+    void somebodyMayLeaveWhileAllAreInformed() {
         List<Robot> robots = FakeSystem.pioneers(new LockstepScheduler(), RobotBench.WORLD, RobotBench.START)
                 .robots();
         Robot first = robots.getFirst();

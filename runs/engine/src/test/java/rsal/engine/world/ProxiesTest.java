@@ -271,7 +271,7 @@ class ProxiesTest {
     }
 
     @Test
-    void staysAndIsStaleWhenNobodyTellsForASecond() {
+    void staysAndIsStaleWhenNobodyReportsForASecond() {
         joinWithLocalizer();
         localizer.publish(THERE);
         seconds(1.1);
@@ -286,7 +286,7 @@ class ProxiesTest {
     }
 
     @Test
-    void jumpsAreTold() {
+    void jumpsAreReported() {
         joinWithLocalizer();
         for (double x : new double[] {-10, -9.1, -7.8, -7.8}) {
             localizer.publish(new Pose2d(x, -1, 0));

@@ -166,7 +166,7 @@ class ReportTest {
 
     /// Hunters do more with "b": by 10 s and by 40 s, but for seed 3.
     @Test
-    void tellsWhatDependsOnSomethingElse() {
+    void reportsWhatDependsOnSomethingElse() {
         var rows = findings.rows().stream().map(ReportTest::muchMoreWithB).toList();
         var more = new Findings(findings.manifest(), rows);
         Effect effect = more.effect(more.interactions().getFirst(), more.measurements(TIME));
@@ -196,7 +196,7 @@ class ReportTest {
 
     /// With "b", seed 3 has no time left whatever the hunters: one seed of twelve.
     @Test
-    void tellsWhatAChangeDoesToHowRunsEnd() {
+    void reportsWhatAChangeDoesToHowRunsEnd() {
         Effect effect = findings.effectOnShare(OTHER_WORDS, "timeout");
         assertThat(effect.complete()).isEqualTo(12);
         assertThat(effect.difference().orElseThrow().value()).isEqualTo(100 / 12.0, within(1e-9));

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ScaleTest {
     @ParameterizedTest
     @CsvSource({"0, 0", "0, 0.3", "7, 7", "-7, -7", "-3, 1e6"})
-    void hasRoomForItsNumbersAndAFewThatAreTold(double least, double most) {
+    void hasRoomForItsNumbersAndAFewThatAreReported(double least, double most) {
         Scale scale = Scale.of(least, most, 100, 300);
         assertThat(scale.at(least)).isBetween(100.0, 300.0);
         assertThat(scale.at(most)).isBetween(scale.at(least), 300.0);

@@ -155,7 +155,7 @@ class RunAnimationTest {
     }
 
     @Test
-    void isTheSameEachTimeAndTellsHowFarItIs() throws IOException {
+    void isTheSameEachTimeAndReportsHowFarItIs() throws IOException {
         var done = new ArrayList<Double>();
         byte[] gif = new RunAnimation(playback, settings(8, 2, 0, 100)).gif(done::add);
         assertThat(new RunAnimation(playback, settings(8, 2, 0, 100)).gif(_ -> {}))

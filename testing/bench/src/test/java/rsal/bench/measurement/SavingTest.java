@@ -36,7 +36,7 @@ class SavingTest {
     }
 
     @Test
-    void oneTrialTellsNothingOfHowSureItIs() {
+    void oneTrialSaysNothingOfHowSureItIs() {
         assertThat(saving(new double[] {1}, new double[] {2})).containsOnlyKeys("a", "a.share");
     }
 

@@ -163,7 +163,7 @@ class LockstepSchedulerTest extends SchedulerContract {
     }
 
     @Test
-    void tellsWhatEachPhaseTakes() {
+    void reportsWhatEachPhaseTakes() {
         var clock = new AtomicLong();
         var times = new PhaseTimes(clock::get, () -> 0);
         var timed = new LockstepScheduler(Instant.EPOCH, Runnable::run, times);
@@ -185,7 +185,7 @@ class LockstepSchedulerTest extends SchedulerContract {
     /// One phase in 31 stands for all: over many steps that comes out right, also where 62 make a period.
     @ParameterizedTest
     @ValueSource(longs = {20, 1000})
-    void tellsAboutWhatEachPhaseTakesOfAProcessor(long thinkingPeriod) {
+    void reportsWhatEachPhaseTakesOfAProcessor(long thinkingPeriod) {
         var processor = new AtomicLong();
         var asked = new AtomicLong();
         var times = new PhaseTimes(() -> 0, () -> {
