@@ -33,7 +33,7 @@ describe.skipIf(!chromium)('the card of a robot', () => {
   const truth = async (robot: string) =>
     Number(await page.locator(`tr[data-robot="${robot}"]`).getAttribute('data-x'));
 
-  it('tells what its devices see, feel and have, and goes on telling', async () => {
+  it('shows what its devices see, feel and have, and goes on', async () => {
     await open('picker');
     await eventually(async () => /paddles\s+open/.test(await told('gripper')), 'the gripper tells');
     expect(await told('battery')).toMatch(/level\s+\d+\.\d %/);

@@ -69,7 +69,7 @@ describe.skipIf(!chromium)('control, of several who have the token', () => {
     await bob.getByRole('button', { name: 'Motors off', exact: true }).waitFor();
   });
 
-  it('is taken over, which whoever had it is told', async () => {
+  it('is taken over, of which whoever had it is informed', async () => {
     await bob.getByRole('button', { name: 'Ann has control' }).click();
     await take(bob, 'Bob');
     await ann.getByText('Bob has taken control.').waitFor();

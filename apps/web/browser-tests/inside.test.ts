@@ -46,7 +46,7 @@ describe.skipIf(!chromium)('what agents believe, want and talk about', () => {
     await isAccessible(page);
   });
 
-  it('tells conversations, the newest first', async () => {
+  it('shows conversations, the newest first', async () => {
     const page = await opened(1400, 900, 'dark');
     await look(page, 'spread');
     const talks = agent(page, 'spread').getByRole('list', { name: 'Conversations' });

@@ -145,7 +145,7 @@ describe.skipIf(!chromium)('the page', () => {
     expect(await notice.getByText(/./).count()).toBe(0);
   });
 
-  it('sends a robot where it is told, with keys and a click', async () => {
+  it('sends a robot to a place, with keys and a click', async () => {
     const start = await pose('hunter-1');
     await page.keyboard.press('2');
     await page.keyboard.press('g');

@@ -168,7 +168,7 @@ describe.skipIf(!chromium)('looking back', () => {
     }
   });
 
-  it('tells whoever looks back that motors are off now, and arms them', async () => {
+  it('informs whoever looks back that motors are off now, and arms them', async () => {
     await running.post('restart', { configuration: 'virtual', seed: '5' });
     await look(running.url);
     const second = Math.ceil(await time()) + 1; // while the page is open, as less is kept of what nobody watches

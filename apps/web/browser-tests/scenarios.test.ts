@@ -42,7 +42,7 @@ describe.skipIf(!chromium)('the choice of a scenario', () => {
     await expectAccessible(page, 'dialog[open]');
   });
 
-  it('runs another one, as it is told', async () => {
+  it('runs another one, as it is asked', async () => {
     const page = await opened(rsal.url);
     await card(page, 'hunt-and-prey')
       .getByRole('button', { name: /^Choose/ })

@@ -4,7 +4,7 @@ import { WantedPlay } from './wantedplay';
 beforeEach(() => vi.useFakeTimers());
 afterEach(() => vi.useRealTimers());
 
-it('is what was wished until it is told', () => {
+it('is what was wished until it is reported', () => {
   const wanted = new WantedPlay();
   expect(wanted.is(true)).toBe(true);
   wanted.wants(false);
@@ -13,7 +13,7 @@ it('is what was wished until it is told', () => {
   expect(wanted.is(true)).toBe(true); // as somebody else, or its end, has it
 });
 
-it('is as it is told once the server had time to show what was wished', () => {
+it('is as it is reported once the server had time to show what was wished', () => {
   const wanted = new WantedPlay();
   wanted.wants(true);
   vi.advanceTimersByTime(900);

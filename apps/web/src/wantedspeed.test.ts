@@ -39,7 +39,7 @@ it('fast presses count from what was wanted, and the last one is what the run he
   expect(run.asked).toEqual(['2', '10', '5']);
 });
 
-it('counts from what the run tells once it had time to tell', async () => {
+it('counts from what the run reports once it had time to do so', async () => {
   void wanted.change(1, 1);
   await run.answer();
   vi.advanceTimersByTime(1000);

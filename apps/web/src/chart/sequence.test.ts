@@ -55,7 +55,7 @@ it('each that was said is an arrow, oldest first', () =>
     'follow-1 → hunt: inform',
   ]));
 
-it('what is no act of a conversation is told in its words, with as many digits as people read', () => {
+it('what is no act of a conversation is shown in its words, with as many digits as people read', () => {
   const speech: SaidInfo = { ...toAll, to: 'collect-1', topic: 'speech' };
   const told = event('fetch', speech, 'achieve: call(3, -4.718629821801143, 2)');
   expect(sequenceOf([told], ANY, 100).arrows[0]!.label).toBe('achieve: call(3, -4.719, 2)');

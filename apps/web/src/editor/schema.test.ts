@@ -64,7 +64,7 @@ group('what is offered', () => {
     expect(labels('robots: {prey: {}}\nagents: {|')).toEqual([]);
   });
 
-  it('are told with range, default and meaning', () => {
+  it('are described with range, default and meaning', () => {
     const count = offered('robots: {one: {|').find(({ label }) => label === 'count');
     expect(count?.detail).toBe('1…1000 = 1');
     expect(count?.description).toContain('Number of them');

@@ -43,7 +43,7 @@ it('events wait for nothing, but for what was said before them', () => {
   expect(taken.slice(2)).toEqual(['reach', '{"events":{"run":1}}']);
 });
 
-it('a hidden page is told at once', () => {
+it('a hidden page is informed at once', () => {
   vi.stubGlobal('document', { hidden: true });
   const { taken, line } = bundles();
   line.take('reach');

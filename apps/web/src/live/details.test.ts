@@ -12,7 +12,7 @@ const details = (whole: boolean, robots: RobotDetails[], agents: AgentDetails[])
   agents,
 });
 
-it('is told all at first, and whenever somebody has left', () => {
+it('is sent all at first, and whenever somebody has left', () => {
   const all = details(true, [robot('a'), robot('b')], [agent('x')]);
   expect(merged(null, all)).toBe(all);
   const fewer = details(true, [robot('b')], []);

@@ -163,7 +163,7 @@ describe('what a robot would see', () => {
     expect(shows(2)).toBe(true);
   });
 
-  it('tells where a place is, and whether it is hidden', () => {
+  it('says where a place is, and whether it is hidden', () => {
     picture.draw({ pose: { x: 0, y: 2, heading: 0 }, z: 0.3 }, wallsOf(1), [], COLORS);
     const before = picture.project(1, 2, 0.3)!;
     expect(before.px).toBeCloseTo(WIDTH / 2);

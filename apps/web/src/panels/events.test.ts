@@ -68,7 +68,7 @@ it('calls for bids to several agents are one line, and again after half a minute
   ]);
 });
 
-it('where words differ, those of the newest are told as such', () =>
+it('where words differ, those of the newest are shown as such', () =>
   expect(
     folded([
       [1, 'message', 'patrol', 'guard-1, accept-proposal: visit (8.3, 5.9)'],

@@ -9,7 +9,7 @@ const change = (time: number, kind: ChangeInfo['kind'], name: string, words = 'x
   words,
 });
 
-it('what always changes is told once, at the place of the newest', () => {
+it('what always changes is shown once, at the place of the newest', () => {
   const poses = [1, 2, 3, 4, 6].map((time) => change(time, 'BELIEVES', 'pose'));
   const changes = [...poses, change(5, 'WANTS', 'guard'), change(5, 'DOES', '')].sort(
     (a, b) => a.time - b.time,
@@ -21,7 +21,7 @@ it('what always changes is told once, at the place of the newest', () => {
   ]);
 });
 
-it('what it does, and what changes now and then, is told each time', () => {
+it('what it does, and what changes now and then, is shown each time', () => {
   const changes = [1, 2, 3, 4, 5, 6].flatMap((time) => [
     change(time, 'DOES', ''),
     ...(time < 5 ? [change(time, 'BELIEVES', 'near')] : []),

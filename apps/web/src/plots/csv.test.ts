@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { csvOf } from './csv';
 import { Series } from './series';
 
-it('has a row for each time, a column for each number, and nothing where none was told', () => {
+it('has a row for each time, a column for each number, and nothing where none was reported', () => {
   const [one, other] = [new Series(), new Series()];
   one.push(0.1, 1.5);
   one.push(0.2, null);

@@ -15,7 +15,7 @@ it('the newest is at the right, the greatest at the top', () =>
 it('what does not change is in the middle', () =>
   expect(series([0, 7], [60, 7]).path(100, 10, [7, 7], 60, 60)).toBe('M0.0 5.0L100.0 5.0'));
 
-it('tells what it was', () => {
+it('says what it was', () => {
   const all = series([10, 1], [20, null], [30, 3]);
   expect([30, 25, 20, 15, 10, 9].map((time) => all.at(time))).toEqual([3, null, null, 1, 1, null]);
   expect(new Series().at(0)).toBeNull();

@@ -29,7 +29,7 @@ describe('the scale of a metric', () => {
     expect([least, (least + greatest) / 2, greatest].map(scale.at)).toEqual([0, 0.5, 1]);
   });
 
-  it('tells values apart that are nearly the same', () => {
+  it('distinguishes values that are nearly the same', () => {
     const { axis } = scaleOf('way', [combination(100.1, null), combination(100.4, null)])!;
     expect(axis.ticks[0]!.text).not.toBe(axis.ticks.at(-1)!.text);
   });

@@ -31,7 +31,7 @@ it('events near each other have one mark, of what counts most, with the words of
   expect(mark!.events.map(({ text }) => text)).toEqual(['a', 'b', 'c']);
 });
 
-it('of many events in one place some are told, and how many more there are', () => {
+it('of many events in one place some are named, and how many more there are', () => {
   const many = Array.from({ length: 500 }, (_, i) => event(i / 1000, 'collision'));
   const [mark] = marksOf(many, 0, 100, 50);
   expect(mark!.events.length + mark!.left).toBe(500);

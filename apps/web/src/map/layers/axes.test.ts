@@ -22,7 +22,7 @@ describe('frames', () => {
     expect(names(1, pose)).toEqual(['map', 'bob/base_link']);
   });
 
-  it('of a robot are those whose poses are told, devices where they are on the base', () => {
+  it('of a robot are those whose poses are known, devices where they are on the base', () => {
     const mounts = [{ device: 'laser', x: 0.2, y: 0, heading: 0.1 }];
     const estimate = { pose: believed } as RobotState['estimate'];
     const odom = { x: -3, y: 0, heading: 0.5 };

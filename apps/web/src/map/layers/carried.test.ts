@@ -31,14 +31,14 @@ describe('what actuators carry', () => {
     expect(carried!.corners[0]![1]).toBeCloseTo(0);
   });
 
-  it('is the same object until it moves, and as it was told while all are at home', () => {
+  it('is the same object until it moves, and as it was sent while all are at home', () => {
     const carried = [turned];
     expect(carriedPieces(body, carried)).toBe(carriedPieces(body, carried));
     expect(carriedPieces(body, [])).toBe(body);
     expect(carriedPieces(body, undefined)).toBe(body);
   });
 
-  it('leaves out pieces that were not told', () => {
+  it('leaves out pieces that were not sent', () => {
     expect(carriedPieces(body.slice(1), [{ ...turned, pieces: [7] }])).toEqual(body.slice(1));
   });
 });

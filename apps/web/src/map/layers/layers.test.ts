@@ -111,7 +111,7 @@ describe('where a robot goes next', () => {
     expect(drawn([{ ...driving, localPath, speed: 0 }])).toHaveLength(1);
   });
 
-  it('is where its motion takes it when nobody tells', () => {
+  it('is where its motion takes it when nobody reports it', () => {
     const [arc] = drawn([driving, { ...driving, speed: 0 }, { ...driving, pose: null }]);
     expect(arc![0]).toEqual([1, 2]);
     expect(arc!.at(-1)).toEqual([2, 2]);

@@ -52,7 +52,7 @@ public abstract class ActuatorContract extends SensorContract<ActuatorState, Act
     }
 
     @Test
-    void goesWhereItIsToldNoFasterThanItCan() {
+    void goesWhereItIsSentNoFasterThanItCan() {
         GoalHandle<ActuatorState, Result> handle = device().goTo(2);
         advance(0.5);
         assertThat(state().motion()).isEqualTo(Motion.MOVING);

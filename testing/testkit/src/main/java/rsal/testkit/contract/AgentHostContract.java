@@ -284,7 +284,7 @@ public abstract class AgentHostContract extends ContractNetContract {
 
     /// As mailboxes are kept.
     @Test
-    void whatReachesAnAgentIsToldOnce() {
+    void whatReachesAnAgentIsReportedOnce() {
         var mail = new ArrayList<String>();
         try (var run = run()) {
             run.start("amy", self -> {
@@ -729,7 +729,7 @@ public abstract class AgentHostContract extends ContractNetContract {
     }
 
     @Test
-    void devicesTellAgentsOnTheirLane() {
+    void devicesCallAgentsOnTheirLane() {
         try (var run = run()) {
             var world = run.ask(() -> FakeSystem.pioneers(run.scheduler(), RobotBench.WORLD, RobotBench.START));
             Robot robot = world.robots().getFirst();

@@ -31,7 +31,7 @@ public abstract class DockingContract extends DeviceContract<Docking> {
     }
 
     @Test
-    void tellsHowItGetsOn() {
+    void reportsItsProgress() {
         List<Progress> progress = new ArrayList<>();
         GoalHandle<Progress, Result> handle = device().dock("home");
         handle.onFeedback(reported -> progress.add(reported.value()));

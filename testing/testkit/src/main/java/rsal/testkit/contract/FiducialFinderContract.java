@@ -50,7 +50,7 @@ public abstract class FiducialFinderContract extends SensorContract<Fiducials, F
     }
 
     @Test
-    void tellsWhereMarkersAreAndWhichWayTheyFace() {
+    void reportsPosesOfMarkers() {
         Pose2d baseFromNear = Pose2d.ofDegrees(1.5, 0.5, 30);
         Pose2d baseFromFar = Pose2d.ofDegrees(3, -1, -120);
         put(marker(8, 0, START.compose(baseFromFar)));

@@ -81,7 +81,7 @@ public abstract class GripperContract extends SensorContract<GripperState, Gripp
     }
 
     @Test
-    void takesItsTimeAndTellsHowItGetsOn() {
+    void takesItsTimeAndReportsItsProgress() {
         var reported = new ArrayList<GripperState>();
         GoalHandle<GripperState, Result> handle = device().close();
         handle.onFeedback(stamped -> reported.add(stamped.value()));

@@ -87,7 +87,7 @@ public abstract class ImuContract extends SensorContract<ImuReading, Imu> {
     }
 
     @Test
-    void tellsAsOftenAsItsModelSays() {
+    void reportsAsOftenAsItsModelSays() {
         reading();
         var reported = new ArrayList<ImuReading>();
         device().subscribe(stamped -> reported.add(stamped.value()));

@@ -46,7 +46,7 @@ public abstract class LightContract extends SensorContract<LightState, Light> {
     }
 
     @Test
-    void isOnAndOffAsItIsTold() {
+    void isOnAndOffAsCommanded() {
         device().on();
         advance(0.3);
         assertThat(lit(3)).isEqualTo(1);

@@ -44,7 +44,7 @@ public abstract class NavigatorContract extends DeviceContract<Navigator> {
     }
 
     @Test
-    void tellsHowItGetsOn() {
+    void reportsItsProgress() {
         var progress = new ArrayList<Progress>();
         GoalHandle<Progress, Result> handle = device().goTo(WORLD.pose('a', 0), Tolerance.position(0.4));
         handle.onFeedback(stamped -> progress.add(stamped.value()));

@@ -54,7 +54,7 @@ public abstract class PilotContract extends SensorContract<Decision, Pilot> {
     }
 
     @Test
-    void tellsWhoIsInCharge() {
+    void reportsWhoIsInCharge() {
         device().engage(new Subsumption()
                 .layer("go", FORWARD)
                 .layer("turn", (_, below) -> new Twist2d(below.vx(), 0, 0.5))
@@ -108,7 +108,7 @@ public abstract class PilotContract extends SensorContract<Decision, Pilot> {
     }
 
     @Test
-    void aBehaviorThatThrowsStopsTheRobotAndIsToldAsLost() {
+    void aBehaviorThatThrowsStopsTheRobotAndIsReportedAsLost() {
         var healths = new ArrayList<Health>();
         device().onHealth(healths::add);
         wake();

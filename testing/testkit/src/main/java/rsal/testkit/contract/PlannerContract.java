@@ -57,7 +57,7 @@ public abstract class PlannerContract extends DeviceContract<Planner> {
     }
 
     @Test
-    void tellsWhatWaysToSeveralPlacesCost() {
+    void reportsCostsOfPathsToSeveralPlaces() {
         List<Pose2d> goals =
                 List.of(WORLD.pose('b', 0), WORLD.pose('x', 0), WORLD.pose('a', 0), new Pose2d(-5, 3, 0), START);
         List<Double> costs = await(device().costs(START, goals, Double.POSITIVE_INFINITY));
@@ -94,7 +94,7 @@ public abstract class PlannerContract extends DeviceContract<Planner> {
     }
 
     @Test
-    void tellsWhatItWasAskedLast() {
+    void reportsWhatItWasAskedLast() {
         assertThat(device().latest()).isEmpty();
         Pose2d goal = WORLD.pose('a', 90);
         Planner.Result.Found found = (Planner.Result.Found) plan(START, goal);

@@ -39,7 +39,7 @@ public abstract class SensorContract<T, D extends Sensor<T>> extends DeviceContr
     }
 
     @Test
-    final void tellsEveryReadingOnceInTheOrderOfTime() {
+    final void reportsEveryReadingOnceInTheOrderOfTime() {
         wake();
         var times = new ArrayList<Instant>();
         var newest = new ArrayList<Boolean>();
@@ -64,7 +64,7 @@ public abstract class SensorContract<T, D extends Sensor<T>> extends DeviceContr
     }
 
     @Test
-    final void listenersAreToldInTheOrderTheyCame() {
+    final void listenersAreCalledInTheOrderInWhichTheyCame() {
         wake();
         var reported = new ArrayList<String>();
         device().subscribe(_ -> reported.add("first"));
