@@ -109,6 +109,10 @@ public final class Port implements AutoCloseable {
         socket.setTcpNoDelay(true);
         var peer = new Peer(socket, this);
         peers.add(peer);
+        if (listening.isClosed()) { // a virtual thread accepts once more while the socket is closed
+            peer.end();
+            return;
+        }
         peer.start();
     }
 

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.net.SocketException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -608,6 +609,22 @@ class PortTest {
         socket.connect(address());
         socket.setSoTimeout(10_000);
         return socket.getInputStream().read() == 'P';
+    }
+
+    @Test
+    void whoComesOnceItIsClosedIsNotServed() throws IOException {
+        for (int round = 0; round < 100; round++) {
+            listen();
+            InetSocketAddress at = address();
+            port.close();
+            try (var socket = new Socket()) {
+                socket.connect(at);
+                socket.setSoTimeout(10_000);
+                assertThat(socket.getInputStream().read()).isEqualTo(-1);
+            } catch (SocketException e) {
+                assertThat(e).hasMessageMatching("(?i)connection (refused|reset).*");
+            }
+        }
     }
 
     @Test
