@@ -62,6 +62,7 @@ module rsal.navigation {
             rsal.navigation.recovery.WaitRecoveryType;
     provides rsal.navigation.traffic.TrafficType with
             rsal.navigation.traffic.NoTrafficType,
+            rsal.navigation.traffic.CentralTrafficType,
             rsal.navigation.traffic.RightOfWayType;
     provides rsal.robot.DeviceDriver with
             rsal.navigation.device.AmclDriver,

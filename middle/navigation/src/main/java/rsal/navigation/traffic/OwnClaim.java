@@ -92,6 +92,28 @@ final class OwnClaim {
         return path.getLast();
     }
 
+    /// The first part of a path.
+    static List<Point2d> cut(List<Point2d> path, double length) {
+        var part = new ArrayList<Point2d>();
+        part.add(path.getFirst());
+        double done = 0;
+        for (int i = 1; i < path.size() && done < length; i++) {
+            double leg = path.get(i - 1).distanceTo(path.get(i));
+            part.add(done + leg <= length ? path.get(i) : along(path, length));
+            done += leg;
+        }
+        return part;
+    }
+
+    /// Of a path [m].
+    static double length(List<Point2d> path) {
+        double length = 0;
+        for (int i = 1; i < path.size(); i++) {
+            length += path.get(i - 1).distanceTo(path.get(i));
+        }
+        return length;
+    }
+
     List<Passage> passages() {
         return passages;
     }

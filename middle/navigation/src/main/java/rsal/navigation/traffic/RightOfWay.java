@@ -16,21 +16,14 @@ import rsal.navigation.passage.Passage;
 import rsal.navigation.passage.Passages;
 import rsal.navigation.passage.Passages.Crossing;
 import rsal.navigation.traffic.Mates.Mate;
-import rsal.navigation.traffic.TrafficReport.Claim;
-import rsal.navigation.traffic.TrafficReport.Follower;
 
-/// Mutual exclusion in narrow passages without a master: Ricart, Agrawala: An optimal algorithm for mutual exclusion in
-/// computer networks, CACM 24 (1981), with tickets after Lamport (1978).
+/// Drives a robot through narrow passages: it claims those ahead, waits beside the gate until an [Agreement] says that
+/// it has them, and lets go of them behind it.
 ///
-/// Differs in that an answer is a report of the whole state and says which tickets it knows of, so that messages may be
-/// lost and come twice; that a robot which does not answer for 3 s is taken for absent, unless it has the
-/// passage; that the one that has it may take followers in its direction along; and that a robot in a passage has it,
-/// whatever was agreed. All passages up to the next place to stand are wanted at once, so nobody has one and waits
-/// for another. A passage is free again when its robot is measured to be outside, never by time.
+/// A robot in a passage has it, whatever was agreed. All passages up to the next place to stand are wanted at once, so
+/// nobody has one and waits for another. A passage is free again when its robot is measured to be outside, never by
+/// time.
 final class RightOfWay implements TrafficRule {
-    private static final Duration LISTENING = Duration.ofMillis(500); // before it goes, for who was not heard yet
-    private static final Duration ABSENT = Duration.ofSeconds(3); // who does not answer for so long
-    private static final Duration DEAF = Duration.ofSeconds(10); // who is heard, but does not answer for so long
     private static final Duration HELLO = Duration.ofSeconds(2); // while it has heard nobody
     private static final Duration ASKING = Duration.ofMillis(300);
     private static final Duration WAITING = Duration.ofSeconds(1);
@@ -48,7 +41,7 @@ final class RightOfWay implements TrafficRule {
     private final WaitingChoice places;
     private final GateNeighbors neighbors;
     private final Set<String> askers = new TreeSet<>();
-    private final List<Follower> followers = new ArrayList<>();
+    private final Agreement agreement;
     private @Nullable Passages passages;
     private boolean isComputing;
     private @Nullable OwnClaim claim;
@@ -64,21 +57,14 @@ final class RightOfWay implements TrafficRule {
     /// @param closeAfter for how long a robot in a passage does not move until the passage counts as closed
     record Settings(double claimDistance, int batch, Duration closeAfter) {}
 
-    /// What keeps a robot from a passage.
-    private enum Access {
-        FREE,
-        /// Not all have answered.
-        ASKED,
-        /// Somebody else goes first.
-        TAKEN
-    }
-
-    RightOfWay(TrafficType.Participant self, Settings settings) {
+    RightOfWay(TrafficType.Participant self, Settings settings, Agreement.Maker how) {
         this.self = self;
         this.settings = settings;
         this.now = self.start();
         this.places = new WaitingChoice(mates, self.robot(), self.radius());
         this.neighbors = new GateNeighbors(mates, self);
+        this.agreement = how.of(new Agreement.Team(
+                self, settings.batch, settings.claimDistance, mates, neighbors, () -> publish(false)));
         self.link().onMessage(TrafficReport.class, this::heard);
     }
 
@@ -99,8 +85,9 @@ final class RightOfWay implements TrafficRule {
             return new TrafficAdvice.Proceed();
         }
         neighbors.see(at, pose, known);
-        TrafficAdvice advice = decide(known, path.get());
-        talk();
+        List<Point2d> left = path.get();
+        TrafficAdvice advice = decide(known, left);
+        talk(known, left);
         return advice;
     }
 
@@ -116,7 +103,7 @@ final class RightOfWay implements TrafficRule {
             }
             release(List.of());
             occupy(known);
-            talk();
+            talk(known, List.of());
         } else {
             answer();
         }
@@ -142,14 +129,14 @@ final class RightOfWay implements TrafficRule {
         }
         occupy(known);
         if (claim == null) {
-            if (known.crossings(cut(path, settings.claimDistance)).isEmpty()) {
+            if (known.crossings(OwnClaim.cut(path, settings.claimDistance)).isEmpty()) {
                 return new TrafficAdvice.Proceed();
             }
-            List<Crossing> all = known.crossings(cut(path, FAR));
+            List<Crossing> all = known.crossings(OwnClaim.cut(path, FAR));
             claim = new OwnClaim(mates.next(now), now, path, all);
             publish(true);
         }
-        List<Crossing> ahead = known.crossings(cut(path, settings.claimDistance + LOST_WAY));
+        List<Crossing> ahead = known.crossings(OwnClaim.cut(path, settings.claimDistance + LOST_WAY));
         if (claim.isHeld) {
             release(ahead);
             return claim == null ? new TrafficAdvice.Proceed() : drive(claim, ahead, path);
@@ -162,7 +149,7 @@ final class RightOfWay implements TrafficRule {
         if (opposed.isPresent()) {
             if (!isInside(held)) { // who waits outside keeps nobody out, nor do those that it has taken along
                 held.isHeld = false;
-                followers.clear();
+                agreement.leaveFollowers();
                 publish(false);
                 return approach(held, ahead);
             }
@@ -188,18 +175,19 @@ final class RightOfWay implements TrafficRule {
             drop();
             return new TrafficAdvice.Proceed();
         }
-        Access access = access(wanted);
-        if (access == Access.FREE && (neighbors.isSomebodyLeaving(wanted) || !neighbors.isBehindLeader(wanted))) {
-            access = Access.TAKEN;
+        PassageAccess access = agreement.access(now, wanted);
+        if (access == PassageAccess.FREE
+                && (neighbors.isSomebodyLeaving(wanted) || !neighbors.isBehindLeader(wanted))) {
+            access = PassageAccess.TAKEN;
         }
-        if (access == Access.FREE) {
+        if (access == PassageAccess.FREE) {
             wanted.isHeld = true;
             wanted.waiting = null;
             publish(false);
             return new TrafficAdvice.Proceed();
         }
         double left = next.get().from();
-        if (access == Access.TAKEN && (left < TURN_OFF || wanted.waiting != null)) {
+        if (access == PassageAccess.TAKEN && (left < TURN_OFF || wanted.waiting != null)) {
             wanted.waiting = places.choose(wanted, wanted.entryGate, mapFromBase.position());
             if (wanted.waiting != null) {
                 return new TrafficAdvice.WaitAt(wanted.waiting, wanted.entry);
@@ -271,49 +259,6 @@ final class RightOfWay implements TrafficRule {
         }
     }
 
-    private Access access(OwnClaim wanted) {
-        boolean invited = mates.all().stream()
-                .flatMap(mate -> mate.report.followers().stream())
-                .anyMatch(follower -> follower.robot().equals(self.robot()) && follower.ticket() == wanted.ticket);
-        boolean allAnswered = !now.isBefore(wanted.since.plus(LISTENING));
-        for (Mate mate : mates.all()) {
-            if (isTaken(wanted, mate, invited)) {
-                return Access.TAKEN;
-            }
-            allAnswered &= hasAnswered(wanted, mate);
-        }
-        return invited || allAnswered ? Access.FREE : Access.ASKED;
-    }
-
-    private boolean isTaken(OwnClaim wanted, Mate mate, boolean invited) {
-        for (Follower follower : mate.report.followers()) {
-            boolean counts = !follower.robot().equals(self.robot())
-                    && !mates.isDone(follower.robot(), follower.ticket())
-                    && neighbors.meets(wanted, follower.passages());
-            if (counts && !(invited && GateNeighbors.isSame(follower.entry(), wanted.entry))) {
-                return true;
-            }
-        }
-        Claim other = mate.report.claim().orElse(null);
-        if (other == null || !neighbors.meets(wanted, other.passages())) {
-            return false;
-        }
-        if (invited) {
-            return other.isHeld() && !GateNeighbors.isSame(other.entry(), wanted.entry);
-        }
-        return other.isHeld() || wanted.isAfter(other, mate.robot, self.robot());
-    }
-
-    /// Whether a robot knows of a claim, or is not there any more.
-    private boolean hasAnswered(OwnClaim wanted, Mate mate) {
-        if (mate.report.heard().getOrDefault(self.robot(), 0L) >= wanted.ticket) {
-            return true;
-        }
-        Instant from = mate.heardAt.isAfter(wanted.since) ? mate.heardAt : wanted.since;
-        return Duration.between(from, now).compareTo(ABSENT) > 0
-                || Duration.between(wanted.since, now).compareTo(DEAF) > 0;
-    }
-
     /// Another robot in the same passage that comes from another gate, and was before.
     private Optional<Mate> opposed(OwnClaim held) {
         return mates.all().stream()
@@ -348,51 +293,12 @@ final class RightOfWay implements TrafficRule {
                 : new TrafficAdvice.WaitAt(held.waiting, best.mapFromGate());
     }
 
-    /// Takes along who comes behind in the same direction.
-    private void invite(OwnClaim held) {
-        followers.removeIf(follower -> mates.isDone(follower.robot(), follower.ticket()));
-        int most = Math.max(settings.batch, held.robotsPerDirection());
-        boolean othersWait = false;
-        for (Mate mate : mates.all()) {
-            Claim other = mate.report.claim().orElse(null);
-            othersWait |= other != null
-                    && !other.isHeld()
-                    && neighbors.meets(held, other.passages())
-                    && !GateNeighbors.isSame(other.entry(), held.entry);
-        }
-        for (Mate mate : mates.all()) {
-            Claim other = mate.report.claim().orElse(null);
-            if (other == null) {
-                continue;
-            }
-            boolean comes = !other.isHeld()
-                    && neighbors.meets(held, other.passages())
-                    && GateNeighbors.isSame(other.entry(), held.entry)
-                    && mate.report.done() < other.ticket()
-                    && followers.stream().noneMatch(follower -> follower.robot().equals(mate.robot))
-                    && mate.report.mapFromBase().position().distanceTo(held.entry) < settings.claimDistance;
-            if (comes && (!othersWait || followers.size() < most - 1)) {
-                followers.add(new Follower(mate.robot, other.ticket(), other.passages(), other.entry()));
-                publish(false);
-            }
-        }
-    }
-
-    private boolean isFollower(OwnClaim held) {
-        return mates.all().stream()
-                .flatMap(mate -> mate.report.followers().stream())
-                .anyMatch(follower -> follower.robot().equals(self.robot()) && follower.ticket() == held.ticket);
-    }
-
-    private void talk() {
-        followers.removeIf(follower -> mates.isDone(follower.robot(), follower.ticket()));
+    private void talk(Passages known, List<Point2d> path) {
         OwnClaim own = claim;
+        agreement.look(now, mapFromBase, known, path, own);
         if (own != null) {
-            if (own.isHeld && !isFollower(own)) {
-                invite(own);
-            }
             boolean asks = !own.isHeld;
-            Duration period = asks && access(own) == Access.ASKED ? ASKING : WAITING;
+            Duration period = asks && agreement.access(now, own) == PassageAccess.ASKED ? ASKING : WAITING;
             if (Duration.between(published, now).compareTo(period) >= 0) {
                 publish(asks);
             }
@@ -426,7 +332,7 @@ final class RightOfWay implements TrafficRule {
                 asks,
                 mates.heardTickets(),
                 done,
-                followers);
+                agreement.followers());
     }
 
     /// Whether it wants a passage, or has one.
@@ -437,7 +343,7 @@ final class RightOfWay implements TrafficRule {
     @Override
     public boolean isAmongOthers(Instant at, Pose2d pose) {
         for (Mate mate : mates.all()) {
-            if (Duration.between(mate.heardAt, at).compareTo(ABSENT) <= 0
+            if (Duration.between(mate.heardAt, at).compareTo(Agreement.Team.ABSENT) <= 0
                     && mate.report.mapFromBase().distanceTo(pose) < HIDING) {
                 return true;
             }
@@ -466,18 +372,5 @@ final class RightOfWay implements TrafficRule {
                                     .ifPresent(passage -> cells.addAll(passage.mapFromCells()))));
         }
         return cells;
-    }
-
-    /// The first part of a path.
-    private static List<Point2d> cut(List<Point2d> path, double length) {
-        var part = new ArrayList<Point2d>();
-        part.add(path.getFirst());
-        double done = 0;
-        for (int i = 1; i < path.size() && done < length; i++) {
-            double leg = path.get(i - 1).distanceTo(path.get(i));
-            part.add(done + leg <= length ? path.get(i) : OwnClaim.along(path, length));
-            done += leg;
-        }
-        return part;
     }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -29,6 +30,10 @@ class RightOfWayTest {
         int crossings;
 
         Driver(LossyLinks radio, String robot, double y, boolean toRight) {
+            this(radio, robot, y, toRight, Tickets::new);
+        }
+
+        Driver(LossyLinks radio, String robot, double y, boolean toRight, Agreement.Maker how) {
             this.rule = new RightOfWay(
                     new TrafficType.Participant(
                             robot,
@@ -36,7 +41,8 @@ class RightOfWayTest {
                             radio.link(robot),
                             () -> CompletableFuture.completedStage(PASSAGES),
                             Instant.EPOCH),
-                    new RightOfWay.Settings(3.5, 3, Duration.ofSeconds(60)));
+                    new RightOfWay.Settings(3.5, 3, Duration.ofSeconds(60)),
+                    how);
             this.left = new Point2d(0.8, y);
             this.right = new Point2d(7.8, y);
             this.toRight = toRight;
@@ -77,20 +83,59 @@ class RightOfWayTest {
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
     void nobodyMeetsAnybodyInADoorAndAllGetThrough(long seed) {
-        double loss = 0.05 * seed;
-        var radio = new LossyLinks(seed, loss);
-        var drivers = new ArrayList<Driver>();
-        for (int i = 0; i < 5; i++) {
-            drivers.add(new Driver(radio, "r" + i, 0.8 + 0.5 * i, i % 2 == 0));
-        }
+        assertThatNobodyMeets(seed, Tickets::new);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void nobodyMeetsAnybodyWhereOneRobotPlansForAll(long seed) {
+        assertThatNobodyMeets(seed, CentralAgreement::new);
+    }
+
+    private static void assertThatNobodyMeets(long seed, Agreement.Maker how) {
+        var drivers = drivers(new LossyLinks(seed, 0.05 * seed), how);
         for (int step = 0; step < 6000; step++) {
             Instant now = Instant.EPOCH.plusMillis(100L * step);
             drivers.forEach(driver -> driver.step(now));
-            long right = drivers.stream().filter(d -> d.isInside() && d.toRight).count();
-            long left = drivers.stream().filter(d -> d.isInside() && !d.toRight).count();
-            assertThat(Math.min(left, right)).as("at %d, seed %d", step, seed).isZero();
+            assertThat(meetings(drivers)).as("at %d, seed %d", step, seed).isZero();
         }
         assertThat(drivers).allSatisfy(driver -> assertThat(driver.crossings).isGreaterThan(10));
+    }
+
+    private static List<Driver> drivers(LossyLinks radio, Agreement.Maker how) {
+        var drivers = new ArrayList<Driver>();
+        for (int i = 0; i < 5; i++) {
+            drivers.add(new Driver(radio, "r" + i, 0.8 + 0.5 * i, i % 2 == 0, how));
+        }
+        return drivers;
+    }
+
+    private static long meetings(List<Driver> drivers) {
+        long right = drivers.stream().filter(d -> d.isInside() && d.toRight).count();
+        long left = drivers.stream().filter(d -> d.isInside() && !d.toRight).count();
+        return Math.min(left, right);
+    }
+
+    @Test
+    void whereTheRobotThatPlansIsLostTheNextOneDoes() {
+        var radio = new LossyLinks(1, 0.1);
+        var drivers = drivers(radio, CentralAgreement::new);
+        int step = 0;
+        while (step < 600 || drivers.getFirst().isInside()) {
+            Instant now = Instant.EPOCH.plusMillis(100L * step++);
+            drivers.forEach(driver -> driver.step(now));
+        }
+        radio.silence("r0"); // which nobody misses in the door
+        List<Driver> left = drivers.subList(1, drivers.size());
+        List<Integer> before = left.stream().map(driver -> driver.crossings).toList();
+        for (int end = step + 3000; step < end; step++) {
+            Instant now = Instant.EPOCH.plusMillis(100L * step);
+            left.forEach(driver -> driver.step(now));
+            assertThat(meetings(left)).as("at %d", step).isZero();
+        }
+        for (int i = 0; i < left.size(); i++) {
+            assertThat(left.get(i).crossings - before.get(i)).isGreaterThan(3);
+        }
     }
 
     @Test
