@@ -2,8 +2,6 @@ package rsal.environment;
 
 import java.util.List;
 import rsal.data.Point2d;
-import rsal.data.Pose2d;
-import rsal.device.Localizer;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -51,11 +49,9 @@ public final class HomeObservation implements ObservationType {
 
         @Override
         public Reader of(Robot robot, Truth world) {
-            Localizer localizer = OwnPose.localizer(robot, "home");
-            Point2d start = OwnPose.believed(localizer).position();
+            var start = new OwnStart(OwnPose.localizer(robot, "home"));
             return (to, at) -> {
-                Pose2d mapFromBase = OwnPose.believed(localizer);
-                Point2d home = mapFromBase.inverse().transform(start);
+                Point2d home = start.baseFromStart();
                 Bounds.put(home.x(), home.y(), max, to, at);
             };
         }

@@ -9,7 +9,6 @@ import rsal.data.Fiducials;
 import rsal.data.Fiducials.Fiducial;
 import rsal.data.Pose2d;
 import rsal.device.FiducialFinder;
-import rsal.device.Localizer;
 import rsal.robot.Robot;
 import rsal.settings.Arguments;
 import rsal.settings.Parameter;
@@ -95,8 +94,8 @@ public final class MarkersObservation implements ObservationType {
                     .orElseThrow(() -> new IllegalArgumentException(
                             "Robot '%s' has no fiducial detector for the observation 'markers'. Maybe 'fiducials: fiducials360'?"
                                     .formatted(robot.id())));
-            Localizer localizer = home > 0 ? OwnPose.localizer(robot, "markers") : null;
-            return new Seen(this, finder, localizer);
+            OwnStart start = home > 0 ? new OwnStart(OwnPose.localizer(robot, "markers")) : null;
+            return new Seen(this, finder, start);
         }
     }
 
@@ -106,20 +105,19 @@ public final class MarkersObservation implements ObservationType {
 
         private final Markers wanted;
         private final FiducialFinder finder;
-        private final @Nullable Localizer localizer;
+        private final @Nullable OwnStart start;
         private final BitSet visited = new BitSet(); // ids, from the first one
-        private @Nullable Pose2d start;
 
-        Seen(Markers wanted, FiducialFinder finder, @Nullable Localizer localizer) {
+        Seen(Markers wanted, FiducialFinder finder, @Nullable OwnStart start) {
             this.wanted = wanted;
             this.finder = finder;
-            this.localizer = localizer;
+            this.start = start;
         }
 
         @Override
         public void read(float[] to, int at) {
             Arrays.fill(to, at, at + EACH * wanted.count, 0);
-            Pose2d startFromBase = startFromBase();
+            Pose2d startFromBase = start == null ? Pose2d.ORIGIN : start.startFromBase();
             List<Fiducial> seen = finder.latest()
                     .map(newest -> newest.value())
                     .map(Fiducials::fiducials)
@@ -143,18 +141,6 @@ public final class MarkersObservation implements ObservationType {
                 to[next + 2] = 1;
                 found++;
             }
-        }
-
-        private Pose2d startFromBase() {
-            Localizer own = localizer;
-            if (own == null) {
-                return Pose2d.ORIGIN;
-            }
-            Pose2d mapFromBase = OwnPose.believed(own);
-            if (start == null) {
-                start = mapFromBase;
-            }
-            return start.inverse().compose(mapFromBase);
         }
 
         private boolean isAtHome(Pose2d startFromBase, Fiducial marker) {
