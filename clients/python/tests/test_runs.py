@@ -27,6 +27,13 @@ def test_a_run_shows_itself_in_notebooks(hunt: Result) -> None:
     assert "<td>captureTime</td><td>42.6</td>" in html
 
 
+def test_a_run_is_printed_in_a_few_lines(hunt: Result) -> None:
+    lines = repr(hunt).splitlines()
+    assert lines[0] == "<Result hunt-and-prey:virtual, seed 7: success at 52.6 s, event hash 3135ee5f"
+    assert "  captureTime: 42.6" in lines
+    assert len(lines) == 1 + len(hunt.metrics)
+
+
 def test_what_ends_too_early_is_a_result_and_with_check_an_exception() -> None:
     with pytest.raises(RunFailed, match=r"'hunt-and-prey:virtual' with seed 3 ended with '\w+' at 1.0 s") as failed:
         rsal.run("hunt-and-prey", seed=3, seconds=1, check=True, hunters=1)

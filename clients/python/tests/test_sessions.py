@@ -9,9 +9,13 @@ import math
 import os
 import socket
 import struct
+import subprocess
+import sys
 import threading
+import time
 import urllib.request
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
@@ -26,6 +30,29 @@ def session() -> Iterator[Session]:
         yield served
     assert served._process is not None
     assert served._process.poll() is not None
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="Linux shows processes as files")
+def test_a_session_ends_with_a_program_that_is_killed() -> None:
+    text = "import rsal, time; s = rsal.serve('teleop'); print(s._process.pid, flush=True); time.sleep(100)"
+    with subprocess.Popen([sys.executable, "-c", text], stdout=subprocess.PIPE) as program:
+        assert program.stdout is not None
+        session = int(program.stdout.readline())
+        assert _is_there(session)
+        program.kill()
+    deadline = time.monotonic() + 30
+    while _is_there(session) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert not _is_there(session)
+
+
+def _is_there(process: int) -> bool:
+    """Whether it has not ended; one that nobody has waited for counts as ended."""
+    try:
+        state = Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[0]
+    except FileNotFoundError:
+        return False
+    return state != "Z"
 
 
 def test_the_status_has_robots(session: Session) -> None:

@@ -697,9 +697,14 @@ class Robot:
         ]
 
     def __getattr__(self, name: str) -> Any:
+        import difflib  # noqa: PLC0415 - for errors only
+
         known = [each for each in dir(type(self)) if not each.startswith("_")]
         robot = self.__dict__.get("id", "")
-        raise AttributeError(f"Robot '{robot}' has no attribute '{name}'. Known are: {', '.join(known)}.")
+        near = difflib.get_close_matches(name, known, 1)
+        hint = f"Maybe '{near[0]}'?" if near else f"Known are: {', '.join(known)}."
+        devices = ", ".join(each.name for each in self.__dict__.get("devices", []))
+        raise AttributeError(f"Robot '{robot}' has no attribute '{name}'. {hint} Its devices: {devices or 'none'}.")
 
     def find(self, kind: type[D], name: str = "") -> D | None:
         """Return the first device of a type, or the one of a name; ``None`` when there is none."""

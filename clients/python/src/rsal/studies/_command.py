@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 import subprocess
 import tempfile
 import time
@@ -86,10 +87,11 @@ def call_json(arguments: Sequence[str], **options: Any) -> Any:
 
 
 def start(arguments: Sequence[str], **options: Any) -> subprocess.Popen[bytes]:
-    """Start a command that reads nothing, and that Ctrl-C of a terminal does not reach."""
+    """Start a command that reads nothing, and that Ctrl-C of a terminal does not reach. It ends with this program."""
     words = launch.command(arguments)
+    variables = {**launch.environment(), "RSAL_END_WITH": str(os.getpid())}
     try:
-        return subprocess.Popen(words, stdin=subprocess.DEVNULL, env=launch.environment(), **launch.apart(), **options)
+        return subprocess.Popen(words, stdin=subprocess.DEVNULL, env=variables, **launch.apart(), **options)
     except OSError as error:
         raise launch.RsalError(f"'{words[0]}' cannot be started: {error.strerror}.") from error
 

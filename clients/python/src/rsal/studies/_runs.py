@@ -37,7 +37,7 @@ class RunFailed(RsalError):
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Result:
     """The result of a run, as ``rsal run --json`` reports it (docs/reference/results.md).
 
@@ -76,6 +76,16 @@ class Result:
     def ok(self) -> bool:
         """Whether the run was a success and no agent has failed."""
         return self.outcome == "success" and not self.failed
+
+    def __repr__(self) -> str:
+        """Return it in a few lines; all of it is in the attributes."""
+        about = (
+            f"<Result {self.scenario}:{self.configuration}, seed {self.seed}: {self.outcome} "
+            f"at {self.simulated_seconds} s, event hash {self.event_hash[:8]}"
+        )
+        lines = [f"  {name}: {value}" for name, value in self.metrics.items()]
+        lines += [f"  failed: agent '{agent}': {why}" for agent, why in self.failed.items()]
+        return "\n".join([about, *lines]) + ">"
 
     def _repr_html_(self) -> str:
         rows = "".join(f"<tr><td>{escape(name)}</td><td>{value}</td></tr>" for name, value in self.metrics.items())

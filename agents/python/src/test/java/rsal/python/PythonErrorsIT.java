@@ -145,8 +145,8 @@ class PythonErrorsIT extends RobotBench {
                 """);
         advance(0.1);
         assertThat(state("amy"))
-                .startsWith("amy.py:6 in on_start: AttributeError: Robot 'r1' has no attribute 'lasr'. Known are: ")
-                .contains("laser");
+                .startsWith("amy.py:6 in on_start: AttributeError: Robot 'r1' has no attribute 'lasr'. Maybe 'laser'? ")
+                .contains("Its devices: ");
         assertThat(state("bob")).contains("Field 'robot' of 'PoseReport': '3' is not a 'str'.");
     }
 

@@ -44,6 +44,7 @@ import rsal.cli.run.ServeCommand;
 import rsal.cli.show.ListCommand;
 import rsal.cli.show.ShowCommand;
 import rsal.cli.show.ValidateCommand;
+import rsal.cli.start.Companion;
 import rsal.cli.start.PrepareCommand;
 import rsal.cli.start.StartCache;
 import rsal.cli.sweep.ReportCommand;
@@ -124,6 +125,12 @@ public final class Main implements Runnable {
     public static void main(String[] args) {
         Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT); // files and results have points in numbers anywhere
         if (isLong(args)) {
+            try {
+                Companion.watch(System.getenv());
+            } catch (IllegalArgumentException e) {
+                System.err.println("rsal: " + e.getMessage());
+                System.exit(Exit.USAGE);
+            }
             StartCache.ofThisProcess().filter(cache -> !cache.wasTried()).ifPresent(StartCache::makeInBackground);
         }
         var stdout = new Stdout();

@@ -88,10 +88,11 @@ public record StartCache(Path file) {
     }
 
     private static Process start(List<String> command) throws IOException {
-        Process process = new ProcessBuilder(command)
+        var builder = new ProcessBuilder(command)
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-                .redirectError(ProcessBuilder.Redirect.DISCARD)
-                .start();
+                .redirectError(ProcessBuilder.Redirect.DISCARD);
+        builder.environment().remove(Companion.VARIABLE); // the cache is made even if that program ends before
+        Process process = builder.start();
         process.getOutputStream().close();
         return process;
     }
