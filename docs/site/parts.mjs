@@ -61,6 +61,7 @@ export const parts = [
           'faults',
           'agentspeak',
           'python-api',
+          'python-messages',
           'stage-worlds',
           'gazebo-worlds',
           'player-configurations',

@@ -14,6 +14,7 @@ from types import ModuleType
 from typing import cast
 
 from rsal import env, studies
+from rsal.agents import messages
 from rsal.env import tasks
 
 _FILE = Path(__file__).resolve().parents[3] / "docs" / "reference" / "python.md"
@@ -166,6 +167,38 @@ def test_that_of_environments_is_that_of_the_docstrings() -> None:
     if os.environ.get("RSAL_UPDATE") == "true":
         _ENVIRONMENTS.write_text(text, encoding="utf-8")
     assert _ENVIRONMENTS.read_text(encoding="utf-8") == text
+
+
+_MESSAGES = _FILE.with_name("python-messages.md")
+
+_MESSAGES_HEAD = """# Python: messages
+
+This page lists the classes of `rsal.agents.messages` by topic. A class names its topic where one is asked for:
+`self.subscribe(PoseReport, self.on_pose)` hears `pose`, and `self.publish(PoseReport(...))` says it.
+[Messages](messages.md) describes them for all languages. Lengths are in m, angles in rad, times in s.
+
+| Topic | Class | Fields |
+|---|---|---|
+"""
+
+
+def _messages() -> str:
+    """Return a row for each topic."""
+    rows = []
+    for kind in vars(messages).values():
+        if dataclasses.is_dataclass(kind) and isinstance(kind, type) and hasattr(kind, "topic"):
+            fields = ", ".join(
+                f"`{field.name}: {field.type}`".replace("|", "\\|") for field in dataclasses.fields(kind)
+            )
+            rows.append(f"| `{kind.topic}` | `{kind.__name__}` | {fields or 'none'} |")
+    return _MESSAGES_HEAD + "\n".join(sorted(rows)) + "\n"
+
+
+def test_that_of_messages_has_all_topics() -> None:
+    text = _messages()
+    if os.environ.get("RSAL_UPDATE") == "true":
+        _MESSAGES.write_text(text, encoding="utf-8")
+    assert _MESSAGES.read_text(encoding="utf-8") == text
 
 
 def test_all_that_is_public_has_a_docstring() -> None:
