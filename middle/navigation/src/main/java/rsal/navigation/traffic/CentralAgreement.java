@@ -190,7 +190,7 @@ final class CentralAgreement implements Agreement {
         }
     }
 
-    /// Permits whoever is next in all of its passages. Whether there was anybody.
+    /// Permits each robot that is next in all of its passages. Returns whether there was one.
     private boolean permit(List<Wish> wishes) {
         List<Timetable.Entry> entries =
                 Timetable.of(wishes.stream().map(Wish::trip).toList()).entries();

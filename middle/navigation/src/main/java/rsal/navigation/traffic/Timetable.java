@@ -70,7 +70,7 @@ final class Timetable {
         this.cost = cost;
     }
 
-    /// Plans the trips of all. Whoever is committed goes first.
+    /// Plans the trips of all. Those that are committed go first.
     static Timetable of(List<Trip> trips) {
         List<Trip> order = new ArrayList<>(trips);
         order.sort(Comparator.comparing((Trip trip) -> !trip.isCommitted)
