@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from rsal.agents.agent import Agent, Blackboard, Entry, Message, Mind, Note
     from rsal.agents.boards import BoardEvent, BoardNote, BoardWatch, Found, TeamBoard
-    from rsal.agents.conversations import Award, Call, Question, Refusal, Result, Subscriber
+    from rsal.agents.conversations import Award, Call, Offer, Question, Refusal, Result, Sale, Subscriber
     from rsal.agents.devices import Device, Goal, Percept, Robot, Stamped, Subscription
     from rsal.agents.network import Network
     from rsal.agents.param import Param
@@ -32,8 +32,10 @@ _MODULES = {
     "TeamBoard": "boards",
     "Award": "conversations",
     "Call": "conversations",
+    "Offer": "conversations",
     "Question": "conversations",
     "Refusal": "conversations",
+    "Sale": "conversations",
     "Result": "conversations",
     "Subscriber": "conversations",
     "Device": "devices",
@@ -68,6 +70,7 @@ __all__ = [
     "Mind",
     "Network",
     "Note",
+    "Offer",
     "Param",
     "Pending",
     "Percept",
@@ -79,6 +82,7 @@ __all__ = [
     "Result",
     "Robot",
     "RsalError",
+    "Sale",
     "Stamped",
     "Subscriber",
     "Subscription",

@@ -364,6 +364,43 @@ class Agent:
         """
         talk.bid(self, service, propose, perform)
 
+    def sell(
+        self,
+        service: str,
+        lot: dict[str, Any],
+        to: Sequence[str],
+        *,
+        first: float,
+        step: float,
+        reserve: float = 0.0,
+        stands: float = 1.0,
+    ) -> Pending[talk.Sale]:
+        """Sell something in an auction (FIPA English and Dutch Auction): ``sale = await self.sell(…)``.
+
+        :param to: names of those who may bid
+        :param first: first price
+        :param step: from one price to the next: above 0 in an English auction, below 0 in a Dutch one
+        :param reserve: it is not sold for less
+        :param stands: how long each price stands [s]
+        """
+        return talk.sell(self, service, lot, to, first=first, step=step, reserve=reserve, stands=stands)
+
+    def buy(
+        self,
+        service: str,
+        pays: Callable[[talk.Offer], object],
+        *,
+        dutch: bool = False,
+        on_end: Callable[[dict[str, Any], talk.Sale], object] | None = None,
+    ) -> None:
+        """Bid in auctions of a service.
+
+        :param pays: returns whether it would have the lot at this price; it may be ``async``, while the price stands
+        :param dutch: whether prices fall
+        :param on_end: is called with each lot and its sale
+        """
+        talk.buy(self, service, pays, dutch=dutch, on_end=on_end)
+
     def propose(self, to: str, service: str, proposal: dict[str, Any], silence: float = 5.0) -> Pending[talk.Result]:
         """Propose to do something (FIPA Propose): ``result = await self.propose("amy", "swap", {"goal": 3})``.
 

@@ -1,6 +1,7 @@
 """Conversations by FIPA's protocols. What is said is a dict.
 
-These are Request (SC00026H), Contract Net (SC00029H), Propose (SC00036H) and Subscribe (SC00035H).
+These are Request (SC00026H), Contract Net (SC00029H), English and Dutch Auction (XC00031F, XC00032F), Propose
+(SC00036H) and Subscribe (SC00035H).
 """
 
 from __future__ import annotations
@@ -9,6 +10,8 @@ import inspect
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from rsal.agents.convert import encode
 from rsal.agents.waiting import Pending
@@ -73,11 +76,40 @@ class Award:
     result: Result
 
 
+@dataclass(frozen=True)
+class Offer:
+    """What is sold in an auction, at the price that stands now."""
+
+    lot: dict[str, Any]
+    price: float
+
+
+@dataclass(frozen=True)
+class Sale:
+    """How an auction ended.
+
+    :param winner: name of the agent that has it; empty when nobody paid enough
+    :param price: the last that somebody wanted, or that was called when nobody did
+    :param why: in words, when it could not be held to its end; ``price`` is NaN then
+    """
+
+    winner: str
+    price: float
+    why: str = ""
+
+
 def check_name(to: object) -> None:
     """Raise TypeError unless it is a text: names are what agents are told apart by."""
     if not isinstance(to, str):
         remedy = " Maybe add '.name' to it." if isinstance(getattr(to, "name", None), str) else ""
         raise TypeError(f"A message goes to the name of an agent, not to '{type(to).__name__}'.{remedy}")
+
+
+def _check_names(to: Sequence[str]) -> None:
+    if isinstance(to, str):
+        raise TypeError(f"A call goes to a list of names, not to the text '{to}'. Maybe write ['{to}'].")
+    for each in to:
+        check_name(each)
 
 
 def _result(words: dict[str, Any]) -> Result:
@@ -157,10 +189,7 @@ def call(
     within: float,
 ) -> Pending[list[Award]]:
     """Begin a FIPA Contract Net as its manager; see :meth:`Agent.call`."""
-    if isinstance(to, str):
-        raise TypeError(f"A call goes to a list of names, not to the text '{to}'. Maybe write ['{to}'].")
-    for each in to:
-        check_name(each)
+    _check_names(to)
     pending: Pending[list[Award]] = Pending(agent._run)
     link = agent._link
     open_bids: dict[str, dict[str, Any]] = {}
@@ -204,6 +233,67 @@ def bid(
             _reply(agent, words["dialogue"], perform, Question(words["sender"], words["content"]))
 
     link.do("bid", link.listen(heard), service)
+
+
+def sell(
+    agent: Agent,
+    service: str,
+    lot: dict[str, Any],
+    to: Sequence[str],
+    *,
+    first: float,
+    step: float,
+    reserve: float,
+    stands: float,
+) -> Pending[Sale]:
+    """Sell in an auction; see :meth:`Agent.sell`."""
+    _check_names(to)
+    pending: Pending[Sale] = Pending(agent._run)
+    link = agent._link
+
+    def heard(words: Any, _arrays: memoryview) -> None:
+        del link.heard[number]
+        pending._end(Sale(words["winner"], float(words["price"])))
+
+    number = link.listen(heard)
+    link.do("sell", number, service, encode(lot), list(to), float(first), float(step), float(reserve), float(stands))
+    return pending
+
+
+def buy(
+    agent: Agent,
+    service: str,
+    pays: Callable[[Offer], object],
+    *,
+    dutch: bool,
+    on_end: Callable[[dict[str, Any], Sale], object] | None,
+) -> None:
+    """Bid in auctions; see :meth:`Agent.buy`."""
+    link = agent._link
+
+    def decide(dialogue: int, wanted: object) -> None:
+        if not isinstance(wanted, (bool, np.bool_)):
+            raise TypeError(f"Whether an agent pays a price is True or False, not '{wanted!r}'.")
+        if wanted:
+            link.do("propose", dialogue, {})
+        else:
+            link.do("refuse", dialogue, "")
+
+    async def later(dialogue: int, coroutine: Any) -> None:
+        decide(dialogue, await coroutine)
+
+    def heard(words: Any, _arrays: memoryview) -> None:
+        if "winner" in words:
+            if on_end is not None:
+                agent._run(on_end, words["content"], Sale(words["winner"], float(words["price"]), words["why"]))
+            return
+        result = pays(Offer(words["content"], float(words["price"])))
+        if inspect.iscoroutine(result):
+            agent.spawn(later(words["dialogue"], result))
+        else:
+            decide(words["dialogue"], result)
+
+    link.do("buy", link.listen(heard), service, dutch)
 
 
 def judge(agent: Agent, service: str, method: Callable[[Question], object]) -> None:

@@ -13,6 +13,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import rsal.agent.AgentContext;
+import rsal.agent.protocol.Auction;
 import rsal.agent.protocol.ContractNet;
 import rsal.agent.protocol.Conversation;
 import rsal.agent.protocol.ConversationResult;
@@ -23,7 +24,8 @@ import rsal.agent.protocol.Subscribe;
 import rsal.device.Subscription;
 import rsal.python.PythonRequests.Heard;
 
-/// The conversations of an agent in Python: requests, contract nets, proposals and subscriptions, about maps. On the
+/// The conversations of an agent in Python: requests, contract nets, auctions, proposals and subscriptions, about maps.
+/// On the
 /// agent's lane.
 @SuppressWarnings("rawtypes") // the contents of a conversation are told by a class, which has no parameters
 final class PythonConversations {
@@ -32,6 +34,8 @@ final class PythonConversations {
     private final Map<String, Request<Map, Map>> requests = new HashMap<>(); // by service
     private final Map<String, ContractNet<Map, Map, Map>> nets = new HashMap<>(); // by service
     private final Map<Integer, BiConsumer<String, Object>> dialogues = new HashMap<>(); // what Python can say in each
+    private final Map<String, Auction<Map>> english = new HashMap<>(); // by service
+    private final Map<String, Auction<Map>> dutch = new HashMap<>(); // by service
     private final Map<String, Propose<Map>> proposals = new HashMap<>(); // by service
     private final Map<String, Subscribe<Map, Map>> news = new HashMap<>(); // by service
     private final Map<Integer, Subscribe.Subscriber<Map, Map>> subscribers = new HashMap<>(); // that want news
@@ -55,6 +59,8 @@ final class PythonConversations {
             case "judge" -> judge(asked.number(0), asked.text(1));
             case "follow" -> follow(asked);
             case "admit" -> admit(asked.number(0), asked.text(1));
+            case "sell" -> sell(asked);
+            case "buy" -> buy(asked.number(0), auction(asked.text(1), Boolean.TRUE.equals(asked.argument(2))));
             case "tell", "endTelling" -> tell(asked);
             case "agree", "inform", "refuse", "fail", "propose" -> say(asked);
             default -> throw new IllegalArgumentException("RSAL has no '%s'.".formatted(asked.verb()));
@@ -67,6 +73,66 @@ final class PythonConversations {
 
     private ContractNet<Map, Map, Map> net(String service) {
         return nets.computeIfAbsent(service, name -> new ContractNet<>(self, name, Map.class, Map.class, Map.class));
+    }
+
+    private Auction<Map> auction(String service, boolean isDutch) {
+        return isDutch
+                ? dutch.computeIfAbsent(service, name -> Auction.dutch(self, name, Map.class))
+                : english.computeIfAbsent(service, name -> Auction.english(self, name, Map.class));
+    }
+
+    private void sell(PythonRequests.Request asked) {
+        int number = asked.number(0);
+        var prices = new Auction.Prices(
+                FromWords.number(asked.argument(4)),
+                FromWords.number(asked.argument(5)),
+                FromWords.number(asked.argument(6)));
+        auction(asked.text(1), prices.step() < 0)
+                .sell(
+                        names(asked.list(3)),
+                        FromWords.map(orEmpty(asked.argument(2))),
+                        prices,
+                        asked.seconds(7),
+                        sale -> heard.hear(number, false, words(sale)));
+    }
+
+    private static Map<String, Object> words(Auction.Sale sale) {
+        return Map.of("winner", sale.winner().orElse(""), "price", sale.price(), "why", "");
+    }
+
+    private void buy(int number, Auction<Map> auction) {
+        auction.answer(new Auction.Bidder<>() {
+            @Override
+            public boolean pays(Map lot, double price) {
+                return false; // Python says so a little later
+            }
+
+            @Override
+            public void asked(Map lot, double price, Runnable pays) {
+                int dialogue = dialogue((verb, _) -> {
+                    if (verb.equals("propose")) {
+                        pays.run();
+                    }
+                });
+                heard.hear(number, false, Map.of("content", lot, "price", price, "dialogue", dialogue));
+            }
+
+            @Override
+            public void ended(Map lot, Auction.Sale sale) {
+                var ending = new LinkedHashMap<String, Object>(words(sale));
+                ending.put("content", lot);
+                heard.hear(number, false, ending);
+            }
+
+            @Override
+            public void lost(Map lot, String why) {
+                heard.hear(number, false, Map.of("winner", "", "price", Double.NaN, "why", why, "content", lot));
+            }
+        });
+    }
+
+    private static List<String> names(List<?> words) {
+        return words.stream().map(String::valueOf).toList();
     }
 
     private void ask(PythonRequests.Request asked) {
@@ -288,8 +354,7 @@ final class PythonConversations {
         String criterion = asked.text(5);
         boolean least = Boolean.TRUE.equals(asked.argument(6));
         int most = asked.number(7);
-        var to = new ArrayList<String>();
-        asked.list(3).forEach(name -> to.add(String.valueOf(name)));
+        List<String> to = names(asked.list(3));
         net(asked.text(1))
                 .call(to, FromWords.map(orEmpty(asked.argument(2))), asked.seconds(4), new ContractNet.Manager<>() {
                     @Override

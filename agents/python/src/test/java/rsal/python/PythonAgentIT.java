@@ -27,6 +27,7 @@ import rsal.agent.message.PoseReport;
 import rsal.agent.platform.AgentPlatform;
 import rsal.agent.platform.AgentTurns;
 import rsal.agent.platform.PlainHost;
+import rsal.agent.protocol.Auction;
 import rsal.agent.protocol.ContractNet;
 import rsal.agent.protocol.Conversation;
 import rsal.agent.protocol.Propose;
@@ -329,6 +330,50 @@ class PythonAgentIT extends RobotBench {
         assertThat(lines)
                 .containsExactly(
                         "java {'cost': 3} {'by': 'java'}", "al {'cost': 2} {'by': 'al', 'at': 1.0}", "java", "[]");
+    }
+
+    @Test
+    void auctionsGoBothWays() {
+        start("java", self -> {
+            var trucks = Auction.english(self, "truck", Map.class);
+            Auction.dutch(self, "box", Map.class).answer((lot, price) -> price <= 4);
+            self.scheduler()
+                    .after(
+                            Duration.ofSeconds(1),
+                            () -> trucks.sell(
+                                    List.of("al", "barbara"),
+                                    Map.of("thing", "truck"),
+                                    new Auction.Prices(1, 1, 2),
+                                    Duration.ofSeconds(1),
+                                    sale -> self.print(sale.winner().orElse("nobody") + " " + sale.price())));
+        });
+        String bidder = """
+                def on_start(self):
+                    self.buy("truck", self.pays, on_end=self.ended)
+                async def pays(self, offer):
+                    await self.sleep(0.2)
+                    return offer.price <= len(self.name) and offer.lot["thing"] == "truck"
+                def ended(self, lot, sale):
+                    print(lot["thing"], sale)
+                """;
+        start("al", bidder);
+        start("barbara", bidder);
+        start("boss", """
+                async def on_start(self):
+                    await self.sleep(20.0)
+                    print(await self.sell("box", {"thing": "box"}, ["java"], first=6, step=-1, reserve=2))
+                    print(await self.sell("box", {"thing": "can"}, ["java"], first=9, step=-1, reserve=6))
+                    await self.sell("box", {}, "java", first=1, step=1)
+                """);
+        advance(50);
+        assertThat(lines)
+                .containsExactlyInAnyOrder(
+                        "barbara 7.0",
+                        "truck Sale(winner='barbara', price=7.0, why='')",
+                        "truck Sale(winner='barbara', price=7.0, why='')",
+                        "Sale(winner='java', price=4.0, why='')",
+                        "Sale(winner='', price=6.0, why='')");
+        assertThat(view("boss").state()).contains("TypeError: A call goes to a list of names, not to the text 'java'.");
     }
 
     @Test

@@ -92,6 +92,15 @@ public final class Auction<L> {
         /// Whether it would have it at this price.
         boolean pays(L lot, double price);
 
+        /// The same, for bidders that need time: as long as the price stands, it may say that it would.
+        ///
+        /// @param pays to be run if it would; does nothing once another price was called, or it is over
+        default void asked(L lot, double price, Runnable pays) {
+            if (pays(lot, price)) {
+                pays.run();
+            }
+        }
+
         /// It is over; this agent may be the winner.
         default void ended(L lot, Sale sale) {}
 
@@ -102,6 +111,7 @@ public final class Auction<L> {
     private final class Bids extends Answering {
         private final Bidder<L> bidder;
         private @Nullable L what;
+        private @Nullable Double called; // the price that stands
 
         Bids(Dialogue dialogue, Bidder<L> bidder) {
             super(dialogue);
@@ -113,12 +123,12 @@ public final class Auction<L> {
             switch (act.performative()) {
                 case CFP -> {
                     Double price = (Double) act.content();
-                    if (bidder.pays(lot(), price)) {
-                        say(Performative.PROPOSE, price);
-                    }
+                    called = price;
+                    bidder.asked(lot(), price, () -> offer(price));
                 }
                 case INFORM -> {
                     if (act.content() instanceof Sale sale) {
+                        called = null;
                         bidder.ended(lot(), sale);
                     } else {
                         what = lot.cast(act.content());
@@ -129,8 +139,15 @@ public final class Auction<L> {
             }
         }
 
+        private void offer(Double price) {
+            if (price.equals(called)) {
+                say(Performative.PROPOSE, price);
+            }
+        }
+
         @Override
         public void lost(String why) {
+            called = null;
             if (what != null) {
                 bidder.lost(what, why);
             }
