@@ -20,7 +20,7 @@ import rsal.data.Pose2d;
 ///
 /// Not safe for several threads at once.
 final class GlobalSearch {
-    private static final double STEP = 0.3; // m
+    static final double STEP = 0.3; // m
     private static final int HEADINGS = 72;
     private static final int COARSE_BEAMS = 32;
     private static final int STEPS_PER_BIN = 3; // in each direction; the best of a bin is looked at
@@ -161,8 +161,7 @@ final class GlobalSearch {
     /// The best pose of each bin of poses, and of these the best ones.
     List<Candidate> coarse(Beams beams) {
         OccupancyGrid grid = map.grid;
-        double resolution = grid.resolution();
-        int stride = Math.max(1, (int) Math.round(STEP / resolution));
+        int stride = map.searchStep();
         int columns = Math.ceilDiv(grid.width(), stride);
         int rows = Math.ceilDiv(grid.height(), stride);
         int binColumns = Math.ceilDiv(columns, STEPS_PER_BIN);
@@ -173,8 +172,11 @@ final class GlobalSearch {
         var poseOfBin = new int[bestOfBin.length];
         Arrays.fill(bestOfBin, Float.NEGATIVE_INFINITY);
         double toCoarse = 1 / map.coarseResolution;
+        var places = new Places(columns, rows, stride);
+        StridedField.Scan scan = map.nearWallsByStep().new Scan(places.x, places.y, beams.count());
         var turnedX = new float[beams.count()];
         var turnedY = new float[beams.count()];
+        var sums = new float[columns];
         for (int heading = 0; heading < HEADINGS; heading++) {
             double theta = heading * 2 * Math.PI / HEADINGS;
             double cos = Math.cos(theta) * toCoarse;
@@ -183,22 +185,15 @@ final class GlobalSearch {
                 turnedX[i] = (float) (cos * beams.x()[i] - sin * beams.y()[i]);
                 turnedY[i] = (float) (sin * beams.x()[i] + cos * beams.y()[i]);
             }
+            scan.turn(turnedX, turnedY);
             int headingBin = heading / HEADINGS_PER_BIN * perHeading;
             for (int row = 0; row < rows; row++) {
-                int gridRow = Math.min(row * stride + stride / 2, grid.height() - 1);
-                float coarseRow = (float) ((gridRow + 0.5) * resolution * toCoarse);
+                scan.sum(row, places.first[row], places.end[row], sums);
                 int rowBin = headingBin + row / STEPS_PER_BIN * binColumns;
-                for (int column = 0; column < columns; column++) {
-                    int gridColumn = Math.min(column * stride + stride / 2, grid.width() - 1);
-                    int cell = gridRow * grid.width() + gridColumn;
-                    if (grid.cells()[cell] != OccupancyGrid.FREE || map.toOccupied.at(cell) < CLEARANCE) {
-                        continue;
-                    }
-                    float coarseColumn = (float) ((gridColumn + 0.5) * resolution * toCoarse);
+                for (int column = places.first[row]; column < places.end[row]; column++) {
                     int bin = rowBin + column / STEPS_PER_BIN;
-                    float score = map.nearWalls.log(turnedX, turnedY, coarseColumn, coarseRow, bestOfBin[bin]);
-                    if (score > bestOfBin[bin]) {
-                        bestOfBin[bin] = score;
+                    if (sums[column] > bestOfBin[bin] && places.mayStand[row * columns + column]) {
+                        bestOfBin[bin] = sums[column];
                         poseOfBin[bin] = (heading * rows + row) * columns + column;
                     }
                 }
@@ -214,12 +209,54 @@ final class GlobalSearch {
                 best.add(new Candidate(
                         bestOfBin[bin],
                         new Pose2d(
-                                grid.x(Math.min(column * stride + stride / 2, grid.width() - 1)),
-                                grid.y(Math.min(row * stride + stride / 2, grid.height() - 1)),
+                                grid.x(at(column, stride, grid.width())),
+                                grid.y(at(row, stride, grid.height())),
                                 Angles.wrap(heading * 2 * Math.PI / HEADINGS))));
             }
         }
         return best;
+    }
+
+    /// The grid of places that are tried.
+    private final class Places {
+        private final float[] x; // by column, in cells of the coarse map
+        private final float[] y; // by row
+        private final boolean[] mayStand; // row by row
+        private final int[] first; // by row: between which columns a robot may stand
+        private final int[] end;
+
+        Places(int columns, int rows, int stride) {
+            OccupancyGrid grid = map.grid;
+            x = inCoarseCells(columns, stride, grid.width());
+            y = inCoarseCells(rows, stride, grid.height());
+            mayStand = new boolean[columns * rows];
+            first = new int[rows];
+            end = new int[rows];
+            for (int row = 0; row < rows; row++) {
+                for (int column = 0; column < columns; column++) {
+                    int cell = at(row, stride, grid.height()) * grid.width() + at(column, stride, grid.width());
+                    if (grid.cells()[cell] == OccupancyGrid.FREE && !(map.toOccupied.at(cell) < CLEARANCE)) {
+                        mayStand[row * columns + column] = true;
+                        first[row] = end[row] == 0 ? column : first[row];
+                        end[row] = column + 1;
+                    }
+                }
+            }
+        }
+
+        private float[] inCoarseCells(int count, int stride, int size) {
+            double toCoarse = 1 / map.coarseResolution;
+            var places = new float[count];
+            for (int i = 0; i < count; i++) {
+                places[i] = (float) ((at(i, stride, size) + 0.5) * map.grid.resolution() * toCoarse);
+            }
+            return places;
+        }
+    }
+
+    /// Which column or row of the map's cells a place is in.
+    private static int at(int place, int stride, int size) {
+        return Math.min(place * stride + stride / 2, size - 1);
     }
 
     /// What the [#LOOKED_AT] best have at least.

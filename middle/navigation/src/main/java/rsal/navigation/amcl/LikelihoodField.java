@@ -137,18 +137,21 @@ public final class LikelihoodField implements SensorModel {
         return around.joined(sum - beyond, count - outside, beyond, outside);
     }
 
-    /// The same where the beams are already turned and in cells, and the base stands on a cell. Looks no further
-    /// once the sum, which only falls, is below `enough`.
-    float log(float[] turnedX, float[] turnedY, float column, float row, float enough) {
-        float sum = 0;
-        for (int i = 0; i < turnedX.length && sum > enough; i++) {
-            sum += logAt(column + turnedX[i], row + turnedY[i]);
-        }
-        return sum;
+    private float logAt(float column, float row) {
+        return logOf((int) column, (int) row);
     }
 
-    private float logAt(float column, float row) {
-        return logs[cell((int) column, (int) row)];
+    /// Logarithm of the likelihood that a beam ends in a cell, which may be outside the map.
+    float logOf(int column, int row) {
+        return logs[cell(column, row)];
+    }
+
+    int width() {
+        return width;
+    }
+
+    int height() {
+        return height;
     }
 
     /// Where in the table a cell is; those outside the map are the border. A negative coordinate that was cut to 0 is

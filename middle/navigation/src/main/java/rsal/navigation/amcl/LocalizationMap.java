@@ -1,10 +1,11 @@
 package rsal.navigation.amcl;
 
 import java.util.Arrays;
+import java.util.Optional;
 import rsal.data.OccupancyGrid;
 import rsal.navigation.grid.DistanceField;
 
-/// What localization knows of a map, computed once. Immutable; robots that share a map and a kind of sensor share
+/// What localization knows of a map, computed once. Never changes; robots that share a map and a kind of sensor share
 /// it.
 public final class LocalizationMap {
     /// On so much free floor [m²] a robot is searched for that may be anywhere. On more of it a search takes longer
@@ -33,6 +34,7 @@ public final class LocalizationMap {
     final double coarseResolution;
     final double deviation;
     private final double freeFloor; // m²
+    private Optional<StridedField> nearWallsByStep = Optional.empty(); // until the first search
 
     /// @param deviation how far hits are from the walls of the map [m]
     /// @param randomShare of readings that have nothing to do with the map
@@ -48,6 +50,19 @@ public final class LocalizationMap {
         this.coarseResolution = coarse.resolution();
         this.nearWalls = new LikelihoodField(
                 coarse, DistanceField.toOccupied(coarse), Math.max(deviation, COARSE_DEVIATION), randomShare);
+    }
+
+    /// How many cells the places are apart that a search tries.
+    int searchStep() {
+        return Math.max(1, (int) Math.round(GlobalSearch.STEP / grid.resolution()));
+    }
+
+    /// [#nearWalls] sorted for these places. Any thread may ask.
+    synchronized StridedField nearWallsByStep() {
+        StridedField field = nearWallsByStep.orElseGet(() -> new StridedField(
+                nearWalls, (int) Math.max(1, Math.round(searchStep() * grid.resolution() / coarseResolution))));
+        nearWallsByStep = Optional.of(field);
+        return field;
     }
 
     private static long free(OccupancyGrid map) {

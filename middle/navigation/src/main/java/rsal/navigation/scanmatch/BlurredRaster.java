@@ -47,22 +47,46 @@ final class BlurredRaster {
         double[] brightness = new double[1 << 12];
         double step = 3.5 * blur * 3.5 * blur / brightness.length;
         Arrays.setAll(brightness, i -> 255 * Math.exp(-i * step / (2 * blur * blur)));
+        double[] beyond = beyond(brightness, step);
+        var squares = new double[2 * reach + 1]; // by column
         for (int i = 0; i < cloud.count(); i++) {
             int column = (int) ((cloud.x[i] - originX) / resolution);
             int row = (int) ((cloud.y[i] - originY) / resolution);
+            for (int c = 0; c < squares.length; c++) {
+                double dx = originX + (column - reach + c + 0.5) * resolution - cloud.x[i];
+                squares[c] = dx * dx;
+            }
             for (int r = row - reach; r <= row + reach; r++) {
-                for (int c = column - reach; c <= column + reach; c++) {
-                    double dx = originX + (c + 0.5) * resolution - cloud.x[i];
-                    double dy = originY + (r + 0.5) * resolution - cloud.y[i];
-                    int index = (int) ((dx * dx + dy * dy) / step);
-                    if (index < brightness.length) {
-                        int cell = r * width + c;
-                        cells[cell] = (byte) Math.max(cells[cell] & 0xff, (int) brightness[index]);
+                double dy = originY + (r + 0.5) * resolution - cloud.y[i];
+                double squareY = dy * dy;
+                int first = r * width + column - reach;
+                for (int c = 0; c < squares.length; c++) {
+                    double square = squares[c] + squareY;
+                    int before = cells[first + c] & 0xff;
+                    if (square < beyond[before]) {
+                        int index = (int) (square / step);
+                        if (index < brightness.length) {
+                            cells[first + c] = (byte) Math.max(before, (int) brightness[index]);
+                        }
                     }
                 }
             }
         }
         return cells;
+    }
+
+    /// By brightness the square of a distance from which on nothing makes a cell of it brighter: most cells, since
+    /// points of a wall lie side by side. A division less for each.
+    private static double[] beyond(double[] brightness, double step) {
+        var beyond = new double[256];
+        int index = brightness.length;
+        for (int value = 0; value < beyond.length; value++) {
+            while (index > 0 && (int) brightness[index - 1] <= value) {
+                index--;
+            }
+            beyond[value] = index * step * (1 + 1e-9); // however it is rounded
+        }
+        return beyond;
     }
 
     private byte[] coarser(byte[] fine, int shift) {

@@ -157,15 +157,12 @@ class LikelihoodFieldTest {
     }
 
     @Test
-    void ofTurnedBeamsItLooksNoFurtherOnceTheSumIsTooLow() {
-        float[] none = {0, 0, 0};
-        float one = (float) FIELD.log(0.95, 0.35);
-        float[] far = {5, 5, 5}; // cells
-        assertThat(FIELD.log(far, none, 4.5f, 3.5f, Float.NEGATIVE_INFINITY)).isCloseTo(3 * one, within(1e-5f));
-        assertThat(FIELD.log(far, none, 4.5f, 3.5f, 1.5f * one)).isCloseTo(2 * one, within(1e-5f));
-        assertThat(FIELD.log(far, none, 4.5f, 3.5f, one)).isCloseTo(one, within(1e-5f));
-        assertThat(FIELD.log(far, none, 4.5f, 3.5f, 0)).isZero();
-        assertThat(FIELD.log(new float[] {-4, -3}, new float[] {0, 1}, 4.5f, 3.5f, -100))
-                .isCloseTo((float) (FIELD.log(0.05, 0.35) + FIELD.log(0.15, 0.45)), within(1e-5f));
+    void cellsOutsideTheMapAreUnlikely() {
+        assertThat(FIELD.logOf(9, 3)).isEqualTo((float) FIELD.log(0.95, 0.35)).isGreaterThan((float) FIELD.unlikely());
+        for (int[] outside : new int[][] {
+            {-1, 3}, {FIELD.width(), 3}, {9, -1}, {9, FIELD.height()}, {Integer.MAX_VALUE, Integer.MIN_VALUE}
+        }) {
+            assertThat(FIELD.logOf(outside[0], outside[1])).isEqualTo((float) FIELD.unlikely());
+        }
     }
 }
