@@ -32,6 +32,12 @@ public final class Companion {
                             .formatted(VARIABLE, number),
                     e);
         }
-        processes.apply(id).ifPresentOrElse(other -> other.onExit().thenRun(end), end);
+        processes
+                .apply(id)
+                .ifPresentOrElse(
+                        other -> {
+                            var _ = other.onExit().thenRun(end);
+                        },
+                        end);
     }
 }
