@@ -173,8 +173,8 @@ class GoalReached:
 
     :param robot: its id
     :param map_from_goal: the goal, in the map frame
-    :param ending: `reached`; `unsure` when the robot believes to be there, but is not localized; `cancelled`,
-        `no path` or `stuck`; `silent` if the robot does not answer, as another agent reports
+    :param ending: ``reached``; ``unsure`` when the robot believes to be there, but is not localized; ``cancelled``,
+        ``no path`` or ``stuck``; ``silent`` if the robot does not answer, as another agent reports
     :param why: why the goal was not reached, for people; empty when it was reached or cancelled
     """
 
@@ -187,7 +187,7 @@ class GoalReached:
 
 
 class HelloKind(enum.Enum):
-    """As `Hello.Kind` in Java."""
+    """What an agent says about its presence."""
 
     HELLO = "HELLO"
     PING = "PING"
@@ -350,7 +350,7 @@ class FormationSlots:
 
     This is repeated as the formation moves, so that one lost message has no effect.
 
-    :param shape: for people: `wedge`, `column`
+    :param shape: for people: ``wedge``, ``column``
     :param formed: whether all robots have been at their places since these were last assigned
     :param ahead: time from the message until all should be at their places
     :param slots: the place of each robot, by the robot's id

@@ -41,7 +41,7 @@ class HealthLost:
 
 
 class Joint(enum.Enum):
-    """As `ActuatorState.Joint` in Java."""
+    """How a joint moves: its positions are in m or in rad."""
 
     LINEAR = "LINEAR"
     ROTATIONAL = "ROTATIONAL"
@@ -56,7 +56,7 @@ class Interval:
 
 
 class Motion(enum.Enum):
-    """As `ActuatorState.Motion` in Java."""
+    """What a joint does."""
 
     IDLE = "IDLE"
     MOVING = "MOVING"
@@ -65,7 +65,7 @@ class Motion(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class ActuatorState:
-    """State of a joint (an element of `sensor_msgs/JointState`, an actuator of Player's `actarray`).
+    """State of a joint (an element of ``sensor_msgs/JointState``, an actuator of Player's ``actarray``).
 
     Lengths in m when the joint is linear, angles in rad when it is rotational.
 
@@ -85,7 +85,10 @@ class ActuatorState:
 
 @dataclass(frozen=True, slots=True)
 class ActuatorReached:
-    """As `Actuator.Result.Reached` in Java."""
+    """It is where it was to be.
+
+    :param position: [m or rad]
+    """
 
     _type: ClassVar[str] = "Reached"
 
@@ -94,7 +97,7 @@ class ActuatorReached:
 
 @dataclass(frozen=True, slots=True)
 class ActuatorCancelled:
-    """As `Actuator.Result.Cancelled` in Java."""
+    """The goal was cancelled, or another one took its place."""
 
     _type: ClassVar[str] = "Cancelled"
 
@@ -110,7 +113,7 @@ class ActuatorStuck:
 
 
 class Charging(enum.Enum):
-    """As `BatteryState.Charging` in Java."""
+    """Where energy flows."""
 
     UNKNOWN = "UNKNOWN"
     CHARGING = "CHARGING"
@@ -121,7 +124,7 @@ class Charging(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class BatteryState:
-    """State of a battery (`sensor_msgs/BatteryState`, Player `power`). NaN when the battery cannot measure a value.
+    """State of a battery (``sensor_msgs/BatteryState``, Player ``power``). NaN when the battery cannot measure a value.
 
     :param charge: energy that is left [J]; +∞ when it is never empty
     :param capacity: energy of the full battery [J]; +∞ when it is never empty
@@ -143,8 +146,8 @@ class BatteryState:
 class Pose2d(PoseMethods):
     """Where a frame is, seen from its parent.
 
-    X, y [m] and heading [rad] in [-π, π). Variables name both frames, parent first (`mapFromBase`), so that a
-    chain checks itself by eye: `mapFromLaser = mapFromBase.compose(baseFromLaser)`.
+    X, y [m] and heading [rad] in [-π, π). Variables name both frames, parent first (``map_from_base``), so
+    that a chain checks itself by eye: ``map_from_laser = map_from_base.compose(base_from_laser)``.
     """
 
     x: float
@@ -188,7 +191,7 @@ class Blob:
 
 @dataclass(frozen=True, slots=True)
 class Blobs:
-    """Patches of color in one image (Player `blobfinder`.
+    """Patches of color in one image (Player ``blobfinder``.
 
     ROS has no message for them). Columns count from the left, rows from the top; neighboring columns of an
     image differ by the same angle, as in Stage.
@@ -209,7 +212,7 @@ class Blobs:
 
 @dataclass(frozen=True, slots=True)
 class BumperState:
-    """The state of a robot's bumpers (Player `bumper`).
+    """The state of a robot's bumpers (Player ``bumper``).
 
     :param base_from_bumpers: the middle of each, its x axis pointing outwards
     :param pressed: as many as bumpers
@@ -223,15 +226,15 @@ class BumperState:
 class CameraImage:
     """An image of a camera without distortion (a pinhole).
 
-    As `sensor_msgs/Image` in `rgb8` and `16UC1`, and `sensor_msgs/CameraInfo` of ROS. Its optical axis goes
-    through the middle of the image. Rows come from the top, columns from the left.
+    As ``sensor_msgs/Image`` in ``rgb8`` and ``16UC1``, and ``sensor_msgs/CameraInfo`` of ROS. Its optical axis
+    goes through the middle of the image. Rows come from the top, columns from the left.
 
     :param width: number of columns [px]
     :param height: number of rows [px]
     :param focal_length: of columns and of rows [px]
     :param rgb: red, green and blue of each pixel, row by row; not to be changed
     :param depth: along the optical axis, of each pixel, row by row: two bytes each, the lower one first [mm]; 0
-        where nothing is in range (REP 118 for `16UC1`); not to be changed
+        where nothing is in range (REP 118 for ``16UC1``); not to be changed
     """
 
     width: int
@@ -274,7 +277,10 @@ class DockingReached:
 
 @dataclass(frozen=True, slots=True)
 class DockingCancelled:
-    """As `Docking.Result.Cancelled` in Java."""
+    """The goal was cancelled, or another one took its place.
+
+    :param why: for people
+    """
 
     _type: ClassVar[str] = "Cancelled"
 
@@ -301,7 +307,7 @@ class Twist2d:
 
 @dataclass(frozen=True, slots=True)
 class Odometry:
-    """What the wheels measure (`nav_msgs/Odometry`).
+    """What the wheels measure (``nav_msgs/Odometry``).
 
     :param odom_from_base: pose in the odom frame, which is smooth but drifts
     :param velocity: measured, in the base frame [m/s, rad/s]
@@ -327,7 +333,7 @@ class Fiducial:
 
 @dataclass(frozen=True, slots=True)
 class Fiducials:
-    """Markers that a robot sees at once (Player `fiducial`).
+    """Markers that a robot sees at once (Player ``fiducial``).
 
     :param base_from_finder: mount of the detector, which looks along its x axis
     :param field_of_view: [rad]
@@ -345,7 +351,7 @@ class Fiducials:
 class GnssFix:
     """The measured position of a receiver.
 
-    In the map, whose x axis points east, and on Earth, as `sensor_msgs/NavSatFix` of ROS.
+    In the map, whose x axis points east, and on Earth, as ``sensor_msgs/NavSatFix`` of ROS.
 
     :param x: to the east [m]
     :param y: to the north [m]
@@ -362,7 +368,7 @@ class GnssFix:
 
 
 class Paddles(enum.Enum):
-    """As `GripperState.Paddles` in Java."""
+    """What the paddles do."""
 
     OPEN = "OPEN"
     CLOSED = "CLOSED"
@@ -372,7 +378,7 @@ class Paddles(enum.Enum):
 
 
 class Lift(enum.Enum):
-    """As `GripperState.Lift` in Java."""
+    """What the lift does."""
 
     DOWN = "DOWN"
     UP = "UP"
@@ -383,7 +389,7 @@ class Lift(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class GripperState:
-    """State of a gripper (Player `gripper`, the lift as one joint of `actarray`, the light beams as `dio`).
+    """State of a gripper (Player ``gripper``, the lift as one joint of ``actarray``, the light beams as ``dio``).
 
     :param paddles: whether they are open, closed or moving
     :param closed: how far the paddles are closed: 0 open, 1 closed; NaN when the gripper cannot measure it
@@ -409,7 +415,7 @@ class GripperState:
 
 @dataclass(frozen=True, slots=True)
 class GripperReached:
-    """As `Gripper.Result.Reached` in Java."""
+    """Paddles or lift are where they were to be."""
 
     _type: ClassVar[str] = "Reached"
 
@@ -418,7 +424,7 @@ class GripperReached:
 
 @dataclass(frozen=True, slots=True)
 class GripperCancelled:
-    """As `Gripper.Result.Cancelled` in Java."""
+    """The goal was cancelled, or another one took its place."""
 
     _type: ClassVar[str] = "Cancelled"
 
@@ -435,7 +441,7 @@ class GripperStuck:
 
 @dataclass(frozen=True, slots=True)
 class ImuReading:
-    """A measurement of an IMU in the plane (`sensor_msgs/Imu` of ROS).
+    """A measurement of an IMU in the plane (``sensor_msgs/Imu`` of ROS).
 
     It does not contain gravity, because robots stand level.
 
@@ -454,10 +460,10 @@ class ImuReading:
 
 @dataclass(frozen=True, eq=False)
 class LaserScan(ScanMethods):
-    """One sweep of a planar laser scanner, counter-clockwise (`sensor_msgs/LaserScan`).
+    """One sweep of a planar laser scanner, counter-clockwise (``sensor_msgs/LaserScan``).
 
-    Beam `i` points to `angleMin + i · angleIncrement` [rad] in the laser's frame. Ranges [m] after REP 117
-    ([Rep117]): -∞ too close to measure, +∞ no echo, NaN invalid.
+    Beam ``i`` points to ``angle_min + i · angle_increment`` [rad] in the laser's frame. Ranges [m] after REP
+    117 (Rep117): -∞ too close to measure, +∞ no echo, NaN invalid.
 
     :param base_from_laser: pose of the scanner in the base frame
     :param angle_min: direction of the first beam, in the laser's frame [rad]
@@ -489,7 +495,7 @@ class Signal:
 
 @dataclass(frozen=True, slots=True)
 class LightState:
-    """State of a light (Player `blinkenlight`).
+    """State of a light (Player ``blinkenlight``).
 
     :param color: color of its light
     :param signal: the commanded signal: on, off, or blink
@@ -534,12 +540,12 @@ class Quality(enum.Enum):
 class PoseEstimate:
     """Where a localizer believes the robot to be.
 
-    As `geometry_msgs/PoseWithCovarianceStamped`, with more than one hypothesis.
+    As ``geometry_msgs/PoseWithCovarianceStamped``, with more than one hypothesis.
 
     :param map_from_base: pose in the map frame, of the best hypothesis
     :param covariance: of x, y and yaw, of the best hypothesis [m², m·rad, rad²]
     :param hypotheses: all possible ones, the highest weight first; the sum of weights is at most 1
-    :param confidence: probability that `mapFromBase` is right, as far as the localizer knows, 0-1
+    :param confidence: probability that ``map_from_base`` is right, as far as the localizer knows, 0-1
     :param quality: the confidence in a word
     """
 
@@ -552,14 +558,14 @@ class PoseEstimate:
 
 @dataclass(frozen=True, eq=False)
 class OccupancyGrid:
-    """A map of square cells, row by row from the lower left one (`nav_msgs/OccupancyGrid`).
+    """A map of square cells, row by row from the lower left one (``nav_msgs/OccupancyGrid``).
 
     :param width: number of columns
     :param height: number of rows
     :param resolution: side of a cell [m]
     :param origin_x: x of the lower left corner of the lower left cell, in the map frame [m]
     :param origin_y: y of that corner [m]
-    :param cells: FREE, OCCUPIED or UNKNOWN, `width · height` of them; in a grid of costs also values
+    :param cells: FREE, OCCUPIED or UNKNOWN, ``width · height`` of them; in a grid of costs also values
         between; handed over, not shared
     """
 
@@ -575,8 +581,8 @@ class OccupancyGrid:
 class ParticleCloud:
     """Samples of a belief about a pose.
 
-    `poses` holds x, y [m], heading [rad] of one particle after the other; `weights` sum to 1. Both arrays are
-    handed over, not shared.
+    ``poses`` holds x, y [m], heading [rad] of one particle after the other; ``weights`` sum to 1. Both arrays
+    are handed over, not shared.
     """
 
     poses: npt.NDArray[np.float32]
@@ -654,7 +660,10 @@ class NavigatorCancelled:
 
 @dataclass(frozen=True, slots=True)
 class NavigatorNoPath:
-    """As `Navigator.Result.NoPath` in Java."""
+    """No path leads there.
+
+    :param why: for people
+    """
 
     _type: ClassVar[str] = "NoPath"
 
@@ -665,7 +674,7 @@ class NavigatorNoPath:
 class NavigatorStuck:
     """It got no nearer for too long, or nobody knew for too long where it is.
 
-    :param map_from_base: where, as known last; the map's origin when it was never known, which `why` tells
+    :param map_from_base: where, as known last; the map's origin when it was never known, which ``why`` tells
     :param tried: since when it worked on this goal
     :param why: what it tried, what is left, what is near: for people
     """
@@ -737,7 +746,10 @@ class PlannerFound:
 
 @dataclass(frozen=True, slots=True)
 class PlannerNoPath:
-    """As `Planner.Result.NoPath` in Java."""
+    """No path leads there.
+
+    :param why: for people
+    """
 
     _type: ClassVar[str] = "NoPath"
 
@@ -769,7 +781,7 @@ class Asked:
 
 @dataclass(frozen=True, eq=False)
 class RangeArray:
-    """One round of sonars or infrared sensors, each a cone (`sensor_msgs/Range`).
+    """One round of sonars or infrared sensors, each a cone (``sensor_msgs/Range``).
 
     Ranges [m] after REP 117 as in LaserScan.
 
@@ -816,7 +828,7 @@ class Decision:
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """As `SimulationControl.Placement.Placed` in Java."""
+    """It is there now."""
 
     _type: ClassVar[str] = "Placed"
 
@@ -839,7 +851,7 @@ class Contact:
     """A robot has touched something.
 
     :param time: when the touch began
-    :param other: the other robot or thing, or `wall`
+    :param other: the other robot or thing, or ``wall``
     """
 
     time: float

@@ -29,6 +29,7 @@ import java.util.stream.Stream;
 /// Writes Java's records and enumerations as Python's dataclasses, with what their comments say.
 final class PythonSourceWriter {
     private static final Path ROOT = Path.of("../..");
+    private static final Pattern CODE = Pattern.compile("`([^`]+)`");
     private static final Pattern LINK = Pattern.compile("\\[(?:[\\w.]*#)?([\\w.]+)\\](?!\\()");
     private static final Map<String, String> METHODS = Map.of(
             "Pose2d", "PoseMethods",
@@ -343,11 +344,18 @@ final class PythonSourceWriter {
         return List.of();
     }
 
+    /// Names of variables as Python has them; those of classes stay.
+    private static String inPython(String code) {
+        return Pattern.compile("\\b[a-z]\\w*").matcher(code).replaceAll(found -> snake(found.group()));
+    }
+
     private static String plain(String line) {
-        return LINK.matcher(line.replace('–', '-').replace('−', '-').replace('×', 'x'))
-                .replaceAll(found -> found.group(1).matches(".*\\d.*|m|rad|s|deg|px|W|J|V|Wh|mm")
+        String text = LINK.matcher(line.replace('–', '-').replace('−', '-').replace('×', 'x'))
+                .replaceAll(found -> found.group(1).matches("[^A-Z]*\\d.*|m|rad|s|deg|px|W|J|V|Wh|mm")
                         ? Matcher.quoteReplacement(found.group())
                         : found.group(1));
+        return CODE.matcher(text)
+                .replaceAll(found -> Matcher.quoteReplacement("``%s``".formatted(inPython(found.group(1)))));
     }
 
     private static List<String> source(Class<?> type) {

@@ -9,11 +9,13 @@ package rsal.data;
 /// @param limits of its position [m or rad]
 /// @param motion what it does now
 public record ActuatorState(Joint joint, double position, double speed, Interval limits, Motion motion) {
+    /// How a joint moves: its positions are in m or in rad.
     public enum Joint {
         LINEAR,
         ROTATIONAL
     }
 
+    /// What a joint does.
     public enum Motion {
         IDLE,
         MOVING,

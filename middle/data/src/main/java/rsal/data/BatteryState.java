@@ -11,6 +11,7 @@ package rsal.data;
 public record BatteryState(
         double charge, double capacity, double level, double power, double voltage, Charging charging) {
 
+    /// Where energy flows.
     public enum Charging {
         UNKNOWN,
         /// Something outside of the robot fills it.

@@ -22,6 +22,7 @@ public record GripperState(
         boolean rightContact,
         boolean holding) {
 
+    /// What the paddles do.
     public enum Paddles {
         OPEN,
         /// As far as they go, which is less when they hold something.
@@ -32,6 +33,7 @@ public record GripperState(
         STOPPED
     }
 
+    /// What the lift does.
     public enum Lift {
         DOWN,
         UP,

@@ -3,8 +3,8 @@ package rsal.data;
 import java.util.Locale;
 
 /// Where a frame is, seen from its parent: x, y [m] and heading [rad] in [-π, π). Variables name both frames,
-/// parent first (`mapFromBase`), so that a chain checks itself by eye: `mapFromLaser =
-/// mapFromBase.compose(baseFromLaser)`.
+/// parent first (`mapFromBase`), so that a chain checks itself by eye:
+/// `mapFromLaser = mapFromBase.compose(baseFromLaser)`.
 public record Pose2d(double x, double y, double theta) {
     public static final Pose2d ORIGIN = new Pose2d(0, 0, 0);
 

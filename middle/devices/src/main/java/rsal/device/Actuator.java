@@ -21,8 +21,12 @@ public interface Actuator extends Sensor<ActuatorState> {
     void command(double speed);
 
     sealed interface Result {
+        /// It is where it was to be.
+        ///
+        /// @param position [m or rad]
         record Reached(double position) implements Result {}
 
+        /// The goal was cancelled, or another one took its place.
         record Cancelled() implements Result {}
 
         /// It can't go on, or the device is lost.

@@ -51,6 +51,9 @@ public interface Docking extends Device {
         /// It is on the dock, or off it, as was wanted.
         record Reached() implements Result {}
 
+        /// The goal was cancelled, or another one took its place.
+        ///
+        /// @param why for people
         record Cancelled(String why) implements Result {}
 
         /// It gave up.

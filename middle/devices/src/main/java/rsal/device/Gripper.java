@@ -33,8 +33,10 @@ public interface Gripper extends Sensor<GripperState> {
     }
 
     sealed interface Result {
+        /// Paddles or lift are where they were to be.
         record Reached(GripperState state) implements Result {}
 
+        /// The goal was cancelled, or another one took its place.
         record Cancelled() implements Result {}
 
         /// It can't go on, or the device is lost.

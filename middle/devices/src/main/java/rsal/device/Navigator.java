@@ -113,6 +113,9 @@ public interface Navigator extends Device, Locomotion {
             }
         }
 
+        /// No path leads there.
+        ///
+        /// @param why for people
         record NoPath(String why) implements Result {}
 
         /// It got no nearer for too long, or nobody knew for too long where it is.

@@ -105,6 +105,9 @@ public interface Planner extends Device {
         /// @param offGoal how far from the goal it ends [m], when the robot can't be there but near it; else 0
         record Found(Path2d path, double cost, double offGoal) implements Result {}
 
+        /// No path leads there.
+        ///
+        /// @param why for people
         record NoPath(String why) implements Result {}
     }
 }

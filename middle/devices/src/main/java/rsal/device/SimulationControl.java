@@ -160,6 +160,7 @@ public interface SimulationControl extends Device {
     record Marker(int id, int key) {}
 
     sealed interface Placement {
+        /// It is there now.
         record Placed() implements Placement {}
 
         /// It stays where it was: a wall or something else is there, it is outside of the world, the pose is not

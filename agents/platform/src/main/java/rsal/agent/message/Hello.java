@@ -18,6 +18,7 @@ public record Hello(String robot, Kind kind, String to) implements MessageConten
         MessageCheck.given("to", to);
     }
 
+    /// What an agent says about its presence.
     public enum Kind {
         /// I am here: at the start.
         HELLO,
