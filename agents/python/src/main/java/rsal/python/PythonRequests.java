@@ -4,10 +4,12 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.stream.Collectors;
@@ -25,6 +27,7 @@ import rsal.device.SimulationControl;
 import rsal.device.Subscription;
 import rsal.robot.Robot;
 import rsal.settings.OwnCode;
+import rsal.settings.Suggestion;
 
 /// Does what one agent in Python asks for. On the agent's lane.
 ///
@@ -43,6 +46,7 @@ final class PythonRequests implements PythonTurns.Peer {
     private final Optional<SimulationControl> simulation;
     private final long seed;
     private final Map<Integer, Subscription> held = new HashMap<>(); // by number
+    private final Set<String> named = new HashSet<>(); // topics of the agent's own
     private final Map<Integer, GoalHandle<?, ?>> goals = new HashMap<>(); // that go on, by number
     private final PythonConversations conversations;
     private final PythonMind mind;
@@ -138,9 +142,9 @@ final class PythonRequests implements PythonTurns.Peer {
             case "cancelGoal" -> goal(asked.number(0)).ifPresent(GoalHandle::cancel);
             case "feedback" -> goal(asked.number(0)).ifPresent(goal -> feedback(asked.number(1), goal));
             case "cancel" -> cancel(asked.number(0));
-            case "publish" -> publish(topic(asked.text(0)), asked.argument(1));
-            case "send" -> send(asked.text(0), topic(asked.text(1)), asked.argument(2));
-            case "subscribe" -> subscribe(asked.number(0), topic(asked.text(1)), asked.seconds(2));
+            case "publish" -> publish(channel(asked.text(0)), asked.argument(1));
+            case "send" -> send(asked.text(0), channel(asked.text(1)), asked.argument(2));
+            case "subscribe" -> subscribe(asked.number(0), channel(asked.text(1)), asked.seconds(2));
             case "after" -> {
                 int number = asked.number(0);
                 held.put(number, self.scheduler().after(asked.seconds(1), () -> {
@@ -248,6 +252,16 @@ final class PythonRequests implements PythonTurns.Peer {
     static Topic<?> topic(String name) {
         Topic<?> installed = INSTALLED.get(name);
         return installed == null ? new Topic<>(name, Map.class) : installed;
+    }
+
+    /// The same; a name that is nearly one of RSAL's is asked about once, as nobody else may hear it.
+    private Topic<?> channel(String name) {
+        if (!INSTALLED.containsKey(name) && named.add(name)) {
+            Suggestion.closest(name, INSTALLED.keySet())
+                    .ifPresent(near -> self.print("Topic '%s' is one of its own, not one of RSAL. Maybe '%s' was meant?"
+                            .formatted(name, near)));
+        }
+        return topic(name);
     }
 
     private <M> void publish(Topic<M> topic, @Nullable Object content) {

@@ -151,6 +151,18 @@ class PythonErrorsIT extends RobotBench {
     }
 
     @Test
+    void aTopicWhoseNameIsNearlyOneOfRsalIsAskedAboutOnce() {
+        start("amy", """
+                def on_start(self):
+                    from rsal import Topic
+                    for topic in ("posee", "posee", "weather"):
+                        self.publish(Topic(topic, dict), {})
+                """);
+        advance(0.1);
+        assertThat(lines).containsExactly("Topic 'posee' is one of its own, not one of RSAL. Maybe 'pose' was meant?");
+    }
+
+    @Test
     void bidsWithoutANumberCountAsNone() {
         for (String bid : List.of("{'cost': 3}", "{'price': 1}", "{'cost': float('nan')}", "{'cost': 'low'}")) {
             start("b" + lines.size() + bid.length(), """
