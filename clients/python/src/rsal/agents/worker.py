@@ -15,10 +15,11 @@ import sys
 import threading
 import time
 import traceback
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, TextIO
 
 import rsal.agents.agent as contract
 from rsal.agents import devices
@@ -256,6 +257,19 @@ class Worker:
         sys.meta_path.insert(0, self.files)
         sys.stdout = self._output
         sys.breakpointhook = on_breakpoint
+        warnings.showwarning = self._warn
+
+    def _warn(  # noqa: PLR0917 - as 'warnings' calls it
+        self,
+        message: Warning | str,
+        category: type[Warning],
+        filename: str,
+        lineno: int,
+        file: TextIO | None = None,  # noqa: ARG002
+        line: str | None = None,  # noqa: ARG002
+    ) -> None:
+        """Print a warning as a line of the agent whose turn it is, as of a coroutine that was never awaited."""
+        self._output.write(f"{Path(filename).name}:{lineno}: {category.__name__}: {message}\n")
 
     def work(self) -> None:
         """Until RSAL ends the conversation."""

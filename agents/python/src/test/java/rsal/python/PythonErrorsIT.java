@@ -151,6 +151,18 @@ class PythonErrorsIT extends RobotBench {
     }
 
     @Test
+    void aCoroutineThatNobodyAwaitsIsNamed() {
+        start("amy", """
+                def on_start(self):
+                    self.later()
+                async def later(self):
+                    pass
+                """);
+        advance(0.1);
+        assertThat(lines).containsExactly("amy.py:6: RuntimeWarning: coroutine 'A.later' was never awaited");
+    }
+
+    @Test
     void aTopicWhoseNameIsNearlyOneOfRsalIsAskedAboutOnce() {
         start("amy", """
                 def on_start(self):
