@@ -9,7 +9,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -18,6 +18,8 @@ from rsal.agents.waiting import Pending
 
 if TYPE_CHECKING:
     from rsal.agents.agent import Agent
+
+R = TypeVar("R")
 
 
 @dataclass(frozen=True)
@@ -118,27 +120,27 @@ def _result(words: dict[str, Any]) -> Result:
 
 def ask(agent: Agent, to: str, service: str, question: dict[str, Any], silence: float) -> Pending[Result]:
     """Begin a FIPA Request; see :meth:`Agent.ask`."""
-    return _begin(agent, "ask", to, service, question, silence)
+    check_name(to)
+    return _begin(agent, _result, "ask", to, service, encode(question), float(silence))
 
 
 def propose(agent: Agent, to: str, service: str, proposal: dict[str, Any], silence: float) -> Pending[Result]:
     """Begin a FIPA Propose; see :meth:`Agent.propose`."""
-    return _begin(agent, "suggest", to, service, proposal, silence)
-
-
-def _begin(  # noqa: PLR0917 - what begins a conversation
-    agent: Agent, what: str, to: str, service: str, content: dict[str, Any], silence: float
-) -> Pending[Result]:
     check_name(to)
-    pending: Pending[Result] = Pending(agent._run)
+    return _begin(agent, _result, "suggest", to, service, encode(proposal), float(silence))
+
+
+def _begin(agent: Agent, ended: Callable[[dict[str, Any]], R], verb: str, *words: Any) -> Pending[R]:
+    """Begin what RSAL answers once."""
+    pending: Pending[R] = Pending(agent._run)
     link = agent._link
 
-    def heard(words: Any, _arrays: memoryview) -> None:
+    def heard(answer: Any, _arrays: memoryview) -> None:
         del link.heard[number]
-        pending._end(_result(words))
+        pending._end(ended(answer))
 
     number = link.listen(heard)
-    link.do(what, number, to, service, encode(content), float(silence))
+    link.do(verb, number, *words)
     return pending
 
 
@@ -248,16 +250,12 @@ def sell(
 ) -> Pending[Sale]:
     """Sell in an auction; see :meth:`Agent.sell`."""
     _check_names(to)
-    pending: Pending[Sale] = Pending(agent._run)
-    link = agent._link
+    prices = float(first), float(step), float(reserve)
+    return _begin(agent, _sale, "sell", service, encode(lot), list(to), *prices, float(stands))
 
-    def heard(words: Any, _arrays: memoryview) -> None:
-        del link.heard[number]
-        pending._end(Sale(words["winner"], float(words["price"])))
 
-    number = link.listen(heard)
-    link.do("sell", number, service, encode(lot), list(to), float(first), float(step), float(reserve), float(stands))
-    return pending
+def _sale(words: dict[str, Any]) -> Sale:
+    return Sale(words["winner"], float(words["price"]), words["why"])
 
 
 def buy(
@@ -285,7 +283,7 @@ def buy(
     def heard(words: Any, _arrays: memoryview) -> None:
         if "winner" in words:
             if on_end is not None:
-                agent._run(on_end, words["content"], Sale(words["winner"], float(words["price"]), words["why"]))
+                agent._run(on_end, words["content"], _sale(words))
             return
         result = pays(Offer(words["content"], float(words["price"])))
         if inspect.iscoroutine(result):
