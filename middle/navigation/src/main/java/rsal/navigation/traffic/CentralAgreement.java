@@ -117,11 +117,14 @@ final class CentralAgreement implements Agreement {
             Instant at, Pose2d mapFromBase, Passages known, List<Point2d> mapFromPath, @Nullable OwnClaim own) {
         now = at;
         measureSpeed(mapFromBase, !mapFromPath.isEmpty() && (own == null || own.isHeld));
-        boolean hadLegs = route != null && !route.legs().isEmpty();
-        route = route(known, mapFromPath);
-        if ((hadLegs || !route.legs().isEmpty()) && isDue(routed, ROUTES)) {
+        if (isDue(routed, ROUTES)) {
             routed = now;
-            team.self().link().publish(route);
+            boolean hadLegs = route != null && !route.legs().isEmpty();
+            RouteReport left = route(known, mapFromPath);
+            route = left;
+            if (hadLegs || !left.legs().isEmpty()) {
+                team.self().link().publish(left);
+            }
         }
         if (!isPlanner()) {
             alone = now;
